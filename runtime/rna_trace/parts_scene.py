@@ -11,11 +11,10 @@ from rna_trace.embree.filters import start_strand_filter, strand_transmittance_f
 from rna_trace.embree.scenes import add_curves, add_mesh
 from rna_trace.embree.tracing import (
     NO_START,
-    NOTHING,
     ClosestHits,
     GeometryScene,
-    Passing,
     any_hits,
+    rays_of,
     transmitted,
 )
 from rna_trace.fiber import FiberPoints
@@ -129,13 +128,10 @@ class PartsScene(GeometryScene):
 
     def transmitted(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
         """The product of the transmittances that rays from outside meet, (n, 3) float32."""
-        origins = vectors("origins", origins)
-        directions = vectors("directions", directions, len(origins))
+        rays = rays_of(origins, directions)
         if self.transmits:
-            return transmitted(
-                self._scene, strand_transmittance_filter(), origins, directions, 0.0, np.inf
-            )
-        free = ~any_hits(self._scene, origins, directions, 0.0, np.inf, NOTHING)
+            return transmitted(self._scene, strand_transmittance_filter(), rays)
+        free = ~any_hits(self._scene, rays)
         return np.repeat(free.astype(np.float32)[:, None], 3, axis=1)
 
     def visible(
@@ -180,16 +176,11 @@ class PartsScene(GeometryScene):
             start_strand = per_ray("strand", strands[points.segment], len(points), np.uint32)
         else:
             origins = leaving_origins(points.checked(), wi, self.extent, row)
+        rays = rays_of(origins, wi, 0.0, tfar, start_strand)
         if self.transmits:
-            return transmitted(
-                self._scene, strand_transmittance_filter(), origins, wi, 0.0, tfar, start_strand
-            )
-        passing = NOTHING
-        if self._has_strands:
-            passing = Passing(start_strand_filter().ctypes.data, start_strand)
-        return ~any_hits(
-            self._scene, origins=origins, directions=wi, tnear=0.0, tfar=tfar, passing=passing
-        )
+            return transmitted(self._scene, strand_transmittance_filter(), rays)
+        passing = start_strand_filter().ctypes.data if self._has_strands else 0
+        return ~any_hits(self._scene, rays, passing)
 
 
 def _strand_numbers(geometries: Sequence[Mesh | Curves]) -> list[np.ndarray]:

@@ -8,7 +8,7 @@ from pydantic import TypeAdapter
 from rna_render.lights import InfiniteLight, Light, LightSamples, MeshLight, PlacedLight, make_light
 from rna_render.scene.light_models import LightModel
 from rna_trace.embree import TriangleScene
-from rna_trace.embree.tracing import ClosestHits, GeometryScene, closest_hits
+from rna_trace.embree.tracing import ClosestHits, GeometryScene, closest_hits, rays_of
 
 ADAPTER: TypeAdapter[Any] = TypeAdapter(LightModel)
 
@@ -95,4 +95,4 @@ def _traced(
     object_from_world = np.linalg.inv(matrix)
     x = at(tuple(object_from_world[:3, :3] @ x_world + object_from_world[:3, 3]), len(d_world))
     d = (d_world @ object_from_world[:3, :3].T).astype(np.float32)
-    return closest_hits(scene.handle, x, d, 0.0, np.inf)
+    return closest_hits(scene.handle, rays_of(x, d))

@@ -6,7 +6,7 @@ import pytest
 from rna_render.lights import AssetEmission, AssetLight
 from rna_render.world.placements import emission_of
 from rna_trace.embree import TriangleScene
-from rna_trace.embree.tracing import closest_hits
+from rna_trace.embree.tracing import closest_hits, rays_of
 from tests.render.assets import FiberProbe, LambertAsset, merged, sphere, square
 from tests.render.chi_squared import assert_directions_follow
 from tests.render.glowing import Composite, GlowingStrands, GlowingSurface, Record
@@ -145,7 +145,7 @@ def hits_of(asset, part, matrix, x, d):
     scene = TriangleScene([(mesh.positions, mesh.triangles)])
     inverse = np.linalg.inv(matrix)
     origin = (inverse[:3, :3] @ x + inverse[:3, 3]).astype(np.float32)
-    return closest_hits(scene.handle, np.tile(origin, (len(d), 1)), d, 0.0, np.inf)
+    return closest_hits(scene.handle, rays_of(np.tile(origin, (len(d), 1)), d))
 
 
 def distance(asset, part, matrix, x, d):

@@ -5,12 +5,12 @@ import pytest
 
 from rna_sdk.errors import SceneError
 from rna_trace.embree import DiscScene, SphereScene
-from rna_trace.embree.tracing import closest_hits
+from rna_trace.embree.tracing import closest_hits, rays_of
 from tests.runtime.points import unit_vectors
 
 
 def hits(scene, origins, directions):
-    return closest_hits(scene.handle, origins, directions, 0.0, np.inf)
+    return closest_hits(scene.handle, rays_of(origins, directions))
 
 
 @pytest.mark.parametrize("start", [3.0, 0.2])

@@ -11,13 +11,14 @@ from rna_trace.embree.filters import (
     start_instance_filter,
     transmittance_filter,
 )
+from rna_trace.embree.kernels import Rays
 from rna_trace.embree.tracing import (
     ClosestHits,
     GeometryScene,
-    Passing,
     any_hits,
     closest_hits,
     closest_hits_through,
+    rays_of,
     transmitted,
 )
 from rna_trace.rays import per_ray
@@ -96,23 +97,11 @@ class InstanceScene:
         """
         if self._passes_everything(start_instance):
             return _misses(len(origins_world))
-        passing = self._passing(start_instance, len(origins_world), rays)
+        traced = self._rays(origins_world, directions_world, np.inf, start_instance, rays)
         if self.transmits:
-            ids = self._ids(start_instance, len(origins_world))
-            return closest_hits_through(
-                self._scene,
-                random_transmittance_filters(),
-                self._coloured,
-                origins_world,
-                directions_world,
-                0.0,
-                np.inf,
-                ids,
-                passing.mask,
-            )
-        return closest_hits(
-            self._scene, origins_world, directions_world, 0.0, np.inf, passing=passing
-        )
+            filters = random_transmittance_filters()
+            return closest_hits_through(self._scene, filters, self._coloured, traced)
+        return closest_hits(self._scene, traced, self._filter(start_instance))
 
     def occluded(
         self,
@@ -128,8 +117,8 @@ class InstanceScene:
         """
         if self._passes_everything(start_instance):
             return np.zeros(len(origins_world), bool)
-        passing = self._passing(start_instance, len(origins_world), SHADOW_RAY)
-        return any_hits(self._scene, origins_world, directions_world, 0.0, tfar, passing)
+        rays = self._rays(origins_world, directions_world, tfar, start_instance, SHADOW_RAY)
+        return any_hits(self._scene, rays, self._filter(start_instance))
 
     def transmittance(
         self,
@@ -144,41 +133,35 @@ class InstanceScene:
         """
         if self._passes_everything(start_instance):
             return np.ones((len(origins_world), 3), np.float32)
-        ids = self._ids(start_instance, len(origins_world))
-        passing = self._passing(start_instance, len(origins_world), SHADOW_RAY)
-        return transmitted(
-            self._scene,
-            transmittance_filter(),
-            origins_world,
-            directions_world,
-            0.0,
-            tfar,
-            ids,
-            passing.mask,
-        )
-
-    def _ids(self, start_instance: np.ndarray | None, count: int) -> np.ndarray:
-        """(n,) or (1,) uint32, the instance that each ray passes through."""
-        values = per_ray(
-            "start_instance",
-            NO_INSTANCE if start_instance is None else start_instance,
-            count,
-            np.int32,
-        )
-        return values.view(np.uint32)
+        rays = self._rays(origins_world, directions_world, tfar, start_instance, SHADOW_RAY)
+        return transmitted(self._scene, transmittance_filter(), rays)
 
     def _passes_everything(self, start_instance: np.ndarray | None) -> bool:
         return self._count == 1 and start_instance is not None and bool((start_instance == 0).all())
 
-    def _passing(self, start_instance: np.ndarray | None, count: int, rays: int) -> Passing:
-        if start_instance is None:
-            return Passing(mask=np.full(1, self._met.get(rays, rays), np.uint32))
-        ids = self._ids(start_instance, count)
-        if not self._start_bits:
-            return Passing(start_instance_filter().ctypes.data, ids, np.full(1, rays, np.uint32))
-        # A shift by 32, for NO_INSTANCE, leaves no bit in 64.
-        bit = np.left_shift(np.uint64(1), np.minimum(ids, MASK_BITS).astype(np.uint64))
-        return Passing(mask=self._met[rays] & ~bit.astype(np.uint32))
+    def _filter(self, start_instance: np.ndarray | None) -> int:
+        """Address of the arguments by which rays pass what their masks do not leave out, or 0."""
+        if start_instance is None or self._start_bits:
+            return 0
+        return int(start_instance_filter().ctypes.data)
+
+    def _rays(
+        self,
+        origins: np.ndarray,
+        directions: np.ndarray,
+        tfar: np.ndarray | float,
+        start_instance: np.ndarray | None,
+        rays: int,
+    ) -> Rays:
+        """Rays of a sort, with the instance that each passes through."""
+        start = NO_INSTANCE if start_instance is None else start_instance
+        ids = per_ray("start_instance", start, len(origins), np.int32).view(np.uint32)
+        mask = np.full(1, self._met.get(rays, rays), np.uint32)
+        if start_instance is not None and self._start_bits:
+            # A shift by 32, for NO_INSTANCE, leaves no bit in 64.
+            bit = np.left_shift(np.uint64(1), np.minimum(ids, MASK_BITS).astype(np.uint64))
+            mask = mask & ~bit.astype(np.uint32)
+        return rays_of(origins, directions, 0.0, tfar, ids, mask)
 
 
 def _met_by(rays: int, instances: Sequence[Instance]) -> np.uint32:

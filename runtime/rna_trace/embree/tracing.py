@@ -1,6 +1,6 @@
 """Batches of rays against any Embree scene."""
 
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -40,25 +40,10 @@ class ClosestHits:
         return ClosestHits(*taken)
 
 
-@dataclass(frozen=True, slots=True)
-class Passing:
-    """Geometry that rays pass through.
-
-    arguments: address of the arguments of an embree_filter, or 0. ray_id: (n,) or (1,) uint32,
-    what the filter refuses hits on. mask: (n,) or (1,) uint32; rays meet instances that share one
-    of its bits.
-    """
-
-    arguments: int = 0
-    ray_id: np.ndarray = field(default_factory=lambda: np.zeros(1, np.uint32))
-    mask: np.ndarray = field(default_factory=lambda: np.full(1, 0xFFFFFFFF, np.uint32))
-
-
-NOTHING = Passing()
-
 # The id of a ray that passes through no instance and no strand, in a scene of either.
 NO_START = 0xFFFFFFFE
 _NO_ID = np.full(1, NO_START, np.uint32)
+_EVERY_BIT = np.full(1, 0xFFFFFFFF, np.uint32)
 
 
 class GeometryScene:
@@ -93,7 +78,7 @@ class GeometryScene:
         Points of triangles are (1 - u - v) p0 + u p1 + v p2. On a segment u is in [0, 1] from its
         first point to its second, and v means nothing.
         """
-        return closest_hits(self._scene, origins, directions, tnear, tfar)
+        return closest_hits(self._scene, rays_of(origins, directions, tnear, tfar))
 
     def occluded(
         self,
@@ -108,7 +93,7 @@ class GeometryScene:
         A ray that is not finite or has no direction misses. Raises QueryError for other dtypes
         or shapes.
         """
-        return any_hits(self._scene, origins, directions, tnear, tfar)
+        return any_hits(self._scene, rays_of(origins, directions, tnear, tfar))
 
     def transmittance(
         self,
@@ -121,67 +106,52 @@ class GeometryScene:
 
         Arguments and errors are those of `occluded`.
         """
-        return transmitted(self._scene, transmittance_filter(), origins, directions, tnear, tfar)
+        rays = rays_of(origins, directions, tnear, tfar)
+        return transmitted(self._scene, transmittance_filter(), rays)
 
 
-def closest_hits(
-    scene: api.SceneHandle,
+def rays_of(
     origins: np.ndarray,
     directions: np.ndarray,
-    tnear: np.ndarray | float,
-    tfar: np.ndarray | float,
-    passing: Passing = NOTHING,
-) -> ClosestHits:
-    """Closest hits in any Embree scene.
+    tnear: np.ndarray | float = 0.0,
+    tfar: np.ndarray | float = np.inf,
+    ray_id: np.ndarray = _NO_ID,
+    mask: np.ndarray = _EVERY_BIT,
+) -> kernels.Rays:
+    """Rays for the functions below. Arguments and errors are those of GeometryScene.occluded.
 
-    Arguments and errors are those of GeometryScene.occluded.
+    ray_id: (n,) or (1,) uint32, the instance or the strand that rays pass through, as a filter has
+    it. mask: (n,) or (1,) uint32; rays meet instances that share one of its bits.
     """
-    rays = _rays(passing.ray_id, passing.mask, origins, directions, tnear, tfar)
+    origins = vectors("origins", origins)
+    n = len(origins)
+    directions = vectors("directions", directions, n)
+    return kernels.Rays(
+        ray_id, mask, origins, directions, per_ray("tnear", tnear, n), per_ray("tfar", tfar, n)
+    )
+
+
+def closest_hits(scene: api.SceneHandle, rays: kernels.Rays, arguments: int = 0) -> ClosestHits:
+    """Closest hits in any Embree scene. arguments: address of those of an embree_filter, or 0."""
     hits = _hits(len(rays.origins))
-    function = api.function_address("rtcIntersect1")
-    kernels.intersect(function, scene.handle, passing.arguments, rays, hits)
+    kernels.intersect(api.function_address("rtcIntersect1"), scene.handle, arguments, rays, hits)
     return ClosestHits(*hits)
 
 
-def any_hits(
-    scene: api.SceneHandle,
-    origins: np.ndarray,
-    directions: np.ndarray,
-    tnear: np.ndarray | float,
-    tfar: np.ndarray | float,
-    passing: Passing = NOTHING,
-) -> np.ndarray:
-    """Whether each ray hits anything in any Embree scene: (n,) bool.
-
-    Arguments and errors are those of GeometryScene.occluded.
-    """
-    rays = _rays(passing.ray_id, passing.mask, origins, directions, tnear, tfar)
+def any_hits(scene: api.SceneHandle, rays: kernels.Rays, arguments: int = 0) -> np.ndarray:
+    """Whether each ray hits anything in any Embree scene: (n,) bool; as `closest_hits`."""
     result = np.empty(len(rays.origins), bool)
-    function = api.function_address("rtcOccluded1")
-    kernels.occluded(function, scene.handle, passing.arguments, rays, result)
+    kernels.occluded(api.function_address("rtcOccluded1"), scene.handle, arguments, rays, result)
     return result
 
 
-def transmitted(
-    scene: api.SceneHandle,
-    arguments: np.ndarray,
-    origins: np.ndarray,
-    directions: np.ndarray,
-    tnear: np.ndarray | float,
-    tfar: np.ndarray | float,
-    ray_id: np.ndarray | None = None,
-    mask: np.ndarray = NOTHING.mask,
-) -> np.ndarray:
+def transmitted(scene: api.SceneHandle, arguments: np.ndarray, rays: kernels.Rays) -> np.ndarray:
     """Transmittance along rays in any Embree scene: (n, 3) float32.
 
-    arguments: of a transmittance filter. ray_id: (n,) or (1,) uint32, the instance or the strand
-    that rays pass through, as the filter has it; NO_START if None. mask: as in Passing. The rest,
-    and the errors, are those of GeometryScene.occluded.
+    arguments: of a transmittance filter.
     """
-    rays = _rays(_NO_ID if ray_id is None else ray_id, mask, origins, directions, tnear, tfar)
     result = np.empty((len(rays.origins), 3), np.float32)
-    function = api.function_address("rtcOccluded1")
-    kernels.transmitted(function, scene.handle, arguments, rays, result)
+    kernels.transmitted(api.function_address("rtcOccluded1"), scene.handle, arguments, rays, result)
     return result
 
 
@@ -189,40 +159,17 @@ def closest_hits_through(
     scene: api.SceneHandle,
     filters: tuple[np.ndarray, np.ndarray],
     coloured: bool,
-    origins: np.ndarray,
-    directions: np.ndarray,
-    tnear: np.ndarray | float,
-    tfar: np.ndarray | float,
-    ray_id: np.ndarray | None = None,
-    mask: np.ndarray = NOTHING.mask,
+    rays: kernels.Rays,
 ) -> ClosestHits:
     """Closest hits of rays that pass through hits at random, as often as these let light through.
 
-    filters: random_transmittance_filters. coloured: whether `weight` is wanted, else it is 1. The
-    rest, and the errors, are those of `closest_hits` and of `transmitted`.
+    filters: random_transmittance_filters. coloured: whether `weight` is wanted, else it is 1.
     """
-    rays = _rays(_NO_ID if ray_id is None else ray_id, mask, origins, directions, tnear, tfar)
     hits = _hits(len(rays.origins))
     weight = np.empty((len(rays.origins) if coloured else 0, 3), np.float32)
     functions = api.function_address("rtcIntersect1"), api.function_address("rtcOccluded1")
     kernels.intersect_through(functions, scene.handle, filters, rays, hits, weight)
     return ClosestHits(*hits, weight if coloured else None)
-
-
-def _rays(
-    ray_id: np.ndarray,
-    mask: np.ndarray,
-    origins: np.ndarray,
-    directions: np.ndarray,
-    tnear: np.ndarray | float,
-    tfar: np.ndarray | float,
-) -> kernels.Rays:
-    origins = vectors("origins", origins)
-    n = len(origins)
-    directions = vectors("directions", directions, n)
-    return kernels.Rays(
-        ray_id, mask, origins, directions, per_ray("tnear", tnear, n), per_ray("tfar", tfar, n)
-    )
 
 
 def _hits(n: int) -> kernels.Hits:
