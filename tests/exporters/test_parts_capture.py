@@ -10,7 +10,7 @@ from rna_export.capture.capture_run import CaptureWorkers, begin, finish
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.rays.asset_scene import AssetScene, part_counts
-from rna_export.capture.rays.view_rays import _aimed, outside_rays, sample_view_rays
+from rna_export.capture.rays.view_rays import _Draw, outside_rays, sample_view_rays
 from rna_sdk.errors import CaptureError
 from tests.exporters.meshes import moved, sphere
 from tests.exporters.scenes import fur, write_scene
@@ -97,7 +97,7 @@ def test_aimed_rays_are_spread_as_the_chords_that_meet_the_part() -> None:
     spread = []
     for rays in (
         outside_rays(scene, 200_000, "sphere", rng),
-        _aimed(scene, 200_000, np.array([1.0, 0.0]), "sphere", rng),
+        _Draw(scene, "sphere", rng).seen(200_000, np.array([1.0, 0.0])),
     ):
         points = scene.shade_points(rays.origins, rays.directions).on[0]
         wo = -rays.directions[points.rows]
