@@ -60,12 +60,11 @@ class TrainingShard:
     ) -> Samples:
         settings = dataset.manifest.settings
         domain = dataset.manifest.domain
-        scene = _shown(dataset, scene, worker, light)
+        look = _Look.of(dataset, scene, worker, light)
         wi = light_direction(light, settings.seed, domain.wi)
         rng = np.random.default_rng([settings.seed, 1, light])
-        rays = sample_view_rays(scene, wi, settings.rays, domain.wo, rng)
-        seed = int(rng.integers(2**31))
-        return _capture(dataset, scene, worker, rays, wi, settings.samples, seed, rng)
+        rays = sample_view_rays(look.scene, wi, settings.rays, domain.wo, rng)
+        return look.capture(rays, wi, settings.samples, int(rng.integers(2**31)), rng)
 
 
 @dataclass(frozen=True)
@@ -89,10 +88,10 @@ class ValidationHalf:
     def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
         settings = dataset.manifest.settings
         # Close-ups are 12 and 4 views apart: they are in each pose and print at times.
-        scene = _shown(dataset, scene, worker, self.view + self.view // 4)
+        look = _Look.of(dataset, scene, worker, self.view + self.view // 4)
         rng = np.random.default_rng([settings.seed, 2, self.view])
         domain = dataset.manifest.domain
-        rays, hit = validation_rays(scene, settings, domain.wo, self.view, rng)
+        rays, hit = validation_rays(look.scene, settings, domain.wo, self.view, rng)
         wi = None if self.emission else validation_light(settings.seed, domain.wi, self.view, rays)
         samples = settings.validation_samples // 2
         noise = np.random.default_rng([settings.seed, 3 + self.emission, self.view, self.half])
@@ -101,19 +100,7 @@ class ValidationHalf:
         for first in range(0, len(hit), _RAYS_A_RENDER):
             pixel = hit[first : first + _RAYS_A_RENDER]
             extra = {"pixel": pixel.astype(np.int32)}
-            pieces.append(
-                _capture(
-                    dataset,
-                    scene,
-                    worker,
-                    rays=rays[pixel],
-                    wi=wi,
-                    samples=samples,
-                    seed=seed,
-                    rng=rng,
-                    extra=extra,
-                )
-            )
+            pieces.append(look.capture(rays[pixel], wi, samples, seed, rng, extra))
         write_parts(self.path(dataset), _all_rows(pieces))
 
 
@@ -137,20 +124,10 @@ class EmissionShard:
         settings, pieces = dataset.manifest.settings, []
         for k in _by_look(range(settings.lights_per_shard), dataset):
             rng = np.random.default_rng([settings.seed, 5, self.index, k])
-            shown = _shown(dataset, scene, worker, k)
-            rays = sample_view_rays(shown, None, settings.rays, dataset.manifest.domain.wo, rng)
-            pieces.append(
-                _capture(
-                    dataset,
-                    shown,
-                    worker,
-                    rays=rays,
-                    wi=None,
-                    samples=settings.samples,
-                    seed=int(rng.integers(2**31)),
-                    rng=rng,
-                )
-            )
+            look, wo = _Look.of(dataset, scene, worker, k), dataset.manifest.domain.wo
+            rays = sample_view_rays(look.scene, None, settings.rays, wo, rng)
+            seed = int(rng.integers(2**31))
+            pieces.append(look.capture(rays, None, settings.samples, seed, rng))
         write_parts(self.path(dataset), _all_rows(pieces))
 
 
@@ -170,11 +147,11 @@ class WhiteRays:
     def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
         manifest, pieces = dataset.manifest, []
         looks = manifest.pose_count * len(manifest.prints)
-        for look in range(looks):
-            rng = np.random.default_rng([manifest.settings.seed, 11, look])
-            shown = _shown(dataset, scene, worker, look)
-            rays = hitting_rays(shown, -(-WHITE_RAYS // looks), manifest.domain.wo, rng)
-            pieces += _capture_white(dataset, shown, worker, rays, rng)
+        for k in range(looks):
+            rng = np.random.default_rng([manifest.settings.seed, 11, k])
+            look = _Look.of(dataset, scene, worker, k)
+            rays = hitting_rays(look.scene, -(-WHITE_RAYS // looks), manifest.domain.wo, rng)
+            pieces += look.capture_white(rays, rng)
         write_parts(self.path(dataset), _all_rows(pieces))
 
 
@@ -201,93 +178,95 @@ def _by_look(turns: Iterable[int], dataset: Dataset) -> list[int]:
     return sorted(turns, key=lambda turn: turn % (manifest.pose_count * len(manifest.prints)))
 
 
-def _shown(dataset: Dataset, scene: AssetScene, worker: BlenderWorker, turn: int) -> AssetScene:
-    """The scene in the pose and the print whose turn it is, which Blender shows as well."""
-    manifest = dataset.manifest
-    turn, pose = divmod(turn, manifest.pose_count)
-    if manifest.poses:
-        worker.show_frame(manifest.poses[pose])
-        scene = scene.in_pose(pose)
-    if len(manifest.prints) > 1:
-        number = turn % len(manifest.prints)
-        variant = manifest.prints[number]
-        worker.show_variant(None if variant is None else manifest.variants[variant])
-        scene = scene.printed(number)
-    return scene
-
-
 def _all_rows(pieces: list[Samples]) -> Samples:
     return {part: joined([piece[part] for piece in pieces]) for part in pieces[0]}
 
 
-def _capture(
-    dataset: Dataset,
-    scene: AssetScene,
-    worker: BlenderWorker,
-    rays: ViewRays,
-    wi: np.ndarray | None,
-    samples: int,
-    seed: int,
-    rng: np.random.Generator,
-    extra: dict[str, np.ndarray] | None = None,
-) -> Samples:
-    """Samples of view rays under one light: geometry from our scene, radiance from Cycles.
+@dataclass(frozen=True)
+class _Look:
+    """The asset in one pose and print, in our scene, and in Blender."""
 
-    Those of a pose are recorded at rest: their points, and directions turned with these.
+    dataset: Dataset
+    scene: AssetScene
+    worker: BlenderWorker
 
-    wi: towards the light; None: of what the asset emits, without a light. rng: chooses which rays
-    go on behind what lets light through.
-    """
-    cutouts = dataset.manifest.opaque_cutouts
-    traced = TracedRays.of(scene, worker, rays, wi, samples, seed, rng, cutouts)
-    points = traced.points
-    of_ray = {
-        "wo": -rays.directions,
-        "radiance": traced.radiance,
-        "direct": traced.rendered.direct,
-        **_of_light(scene, points, wi),
-        **(extra or {}),
-    }
-    return {
-        part.name: _selected(on, traced.valid, of_ray, (*_fields(part, wi), *(extra or {})))
-        for part, on in zip(dataset.parts, points.on, strict=True)
-    }
+    @classmethod
+    def of(cls, dataset: Dataset, scene: AssetScene, worker: BlenderWorker, turn: int) -> "_Look":
+        """The pose and the print whose turn it is; Blender shows them from now on."""
+        manifest = dataset.manifest
+        turn, pose = divmod(turn, manifest.pose_count)
+        if manifest.poses:
+            worker.show_frame(manifest.poses[pose])
+            scene = scene.in_pose(pose)
+        if len(manifest.prints) > 1:
+            number = turn % len(manifest.prints)
+            variant = manifest.prints[number]
+            worker.show_variant(None if variant is None else manifest.variants[variant])
+            scene = scene.printed(number)
+        return cls(dataset, scene, worker)
 
+    def capture(
+        self,
+        rays: ViewRays,
+        wi: np.ndarray | None,
+        samples: int,
+        seed: int,
+        rng: np.random.Generator,
+        extra: dict[str, np.ndarray] | None = None,
+    ) -> Samples:
+        """Samples of view rays under one light: geometry from our scene, radiance from Cycles.
 
-def _capture_white(
-    dataset: Dataset,
-    scene: AssetScene,
-    worker: BlenderWorker,
-    rays: ViewRays,
-    rng: np.random.Generator,
-) -> list[Samples]:
-    """The rays' radiance in a white world, once with each of the `LIGHTS` directions of a ray.
+        Those of a pose are recorded at rest: their points, and directions turned with these.
 
-    Light from outside of the domain is neither in the world nor, by a weight of 0, in the samples.
-    """
-    region, cutouts = dataset.manifest.domain.wi, dataset.manifest.opaque_cutouts
-    seed, wo = int(rng.integers(2**31)), -rays.directions
-    samples = dataset.manifest.settings.validation_samples // 2
-    traced = TracedRays.of(scene, worker, rays, WhiteWorld(region), samples, seed, rng, cutouts)
-    on_parts, pieces = traced.points.on, []
-    lights = [
-        shape.light_samples(on.points, wo[on.rows], rng)
-        for shape, on in zip(scene.shapes, on_parts, strict=True)
-    ]
-    for of_parts in zip(*lights, strict=True):
-        wi, weight = np.zeros_like(wo), np.zeros(len(wo), np.float32)
-        for on, one in zip(on_parts, of_parts, strict=True):
-            wi[on.rows] = one.wi
-            weight[on.rows] = in_region(region, one.wi) / one.pdf
-        of_ray = {"wo": wo, "radiance": traced.radiance, "weight": weight}
-        of_ray |= {"wi": wi, "visible": _visibility(scene, traced.points, wi)}
-        pieces.append(
-            {
-                part.name: _selected(on, traced.valid, of_ray, white_fields(part.fields))
-                for part, on in zip(dataset.parts, on_parts, strict=True)
-            }
+        wi: towards the light; None: of what the asset emits, without a light. rng: chooses which
+        rays go on behind what lets light through.
+        """
+        cutouts = self.dataset.manifest.opaque_cutouts
+        traced = TracedRays.of(self.scene, self.worker, rays, wi, samples, seed, rng, cutouts)
+        points = traced.points
+        of_ray = {
+            "wo": -rays.directions,
+            "radiance": traced.radiance,
+            "direct": traced.rendered.direct,
+            **_of_light(self.scene, points, wi),
+            **(extra or {}),
+        }
+        return {
+            part.name: _selected(on, traced.valid, of_ray, (*_fields(part, wi), *(extra or {})))
+            for part, on in zip(self.dataset.parts, points.on, strict=True)
+        }
+
+    def capture_white(self, rays: ViewRays, rng: np.random.Generator) -> list[Samples]:
+        """The rays' radiance in a white world, once with each of the `LIGHTS` directions of a ray.
+
+        Light from outside of the domain is neither in the world nor, by a weight of 0, in the
+        samples.
+        """
+        region, cutouts = self.dataset.manifest.domain.wi, self.dataset.manifest.opaque_cutouts
+        seed, wo = int(rng.integers(2**31)), -rays.directions
+        samples = self.dataset.manifest.settings.validation_samples // 2
+        traced = TracedRays.of(
+            self.scene, self.worker, rays, WhiteWorld(region), samples, seed, rng, cutouts
         )
-    return pieces
+        on_parts, pieces = traced.points.on, []
+        lights = [
+            shape.light_samples(on.points, wo[on.rows], rng)
+            for shape, on in zip(self.scene.shapes, on_parts, strict=True)
+        ]
+        for of_parts in zip(*lights, strict=True):
+            wi, weight = np.zeros_like(wo), np.zeros(len(wo), np.float32)
+            for on, one in zip(on_parts, of_parts, strict=True):
+                wi[on.rows] = one.wi
+                weight[on.rows] = in_region(region, one.wi) / one.pdf
+            of_ray = {"wo": wo, "radiance": traced.radiance, "weight": weight}
+            of_ray |= {"wi": wi, "visible": _visibility(self.scene, traced.points, wi)}
+            pieces.append(
+                {
+                    part.name: _selected(on, traced.valid, of_ray, white_fields(part.fields))
+                    for part, on in zip(self.dataset.parts, on_parts, strict=True)
+                }
+            )
+        return pieces
 
 
 def _fields(part: DatasetPart, wi: np.ndarray | None) -> Iterable[str]:

@@ -105,14 +105,41 @@ class OpenedSource:
             normals=not self.exported.has_learnt_relief,
             side=picture_side(self.settings.rays),
         )
-        cutouts = self.exported.has_opaque_cutouts
-        speed = _speed(check, self.settings, self.domain, self.worker, cutouts, tick)
+        speed = self._speed(check, tick)
         refuse_nothing(check, self.worker.source)
         check.render_card(self.worker)
         tick()
         check.render_picture(self.worker, self.worker.source.path.name)
         tick()
         return check, speed
+
+    def _speed(self, check: SelfCheck, tick: Callable[[], object]) -> Speed:
+        """The mean of three renders as the capture will do them, after one that only warms up.
+
+        All of them are checked.
+        """
+        settings, domain, worker = self.settings, self.domain, self.worker
+        cutouts = self.exported.has_opaque_cutouts
+        seconds, spent = [], []
+        for k in range(4):
+            wi = light_direction(k, settings.seed, domain.wi)
+            if k == 0:
+                check.render_chords(worker, wi, settings.rays, domain.wo, k)
+                tick()
+                continue
+            start, before = time.perf_counter(), worker.processor_seconds()
+            rng = np.random.default_rng(k)
+            rays = sample_view_rays(check.scene, wi, settings.rays, domain.wo, rng)
+            traced = TracedRays.of(
+                check.scene, worker, rays, wi, settings.samples, k, rng, cutouts, check.normals
+            )
+            seconds.append(time.perf_counter() - start)
+            after = worker.processor_seconds()
+            spent.append(seconds[-1] if before is None or after is None else after - before)
+            check.add(traced)
+            tick()
+        paths = settings.rays * settings.samples
+        return Speed(paths / float(np.mean(seconds)), float(np.mean(spent)) / paths)
 
     def pilot(self, speed: Speed, tick: Callable[[], object], lights: int = LIGHTS) -> Pilot:
         """Noise of paths, and cost of rays here; tick, lights: of `measure_pilot`."""
@@ -146,40 +173,6 @@ def _scene(
         normal_maps=exported.normal_maps(),
         positions=positions,
     )
-
-
-def _speed(
-    check: SelfCheck,
-    settings: CaptureSettings,
-    domain: Domain,
-    worker: BlenderWorker,
-    opaque_cutouts: bool,
-    tick: Callable[[], object],
-) -> Speed:
-    """The mean of three renders as the capture will do them, after one that only warms up.
-
-    All of them are checked.
-    """
-    seconds, spent = [], []
-    for k in range(4):
-        wi = light_direction(k, settings.seed, domain.wi)
-        if k == 0:
-            check.render_chords(worker, wi, settings.rays, domain.wo, k)
-            tick()
-            continue
-        start, before = time.perf_counter(), worker.processor_seconds()
-        rng = np.random.default_rng(k)
-        rays = sample_view_rays(check.scene, wi, settings.rays, domain.wo, rng)
-        traced = TracedRays.of(
-            check.scene, worker, rays, wi, settings.samples, k, rng, opaque_cutouts, check.normals
-        )
-        seconds.append(time.perf_counter() - start)
-        after = worker.processor_seconds()
-        spent.append(seconds[-1] if before is None or after is None else after - before)
-        check.add(traced)
-        tick()
-    paths = settings.rays * settings.samples
-    return Speed(paths / float(np.mean(seconds)), float(np.mean(spent)) / paths)
 
 
 def refuse_nothing(check: SelfCheck, source: Source) -> None:
