@@ -152,8 +152,9 @@ class Integrator:
         hits = self._world.scene.intersect(origin, direction, rays=CAMERA_RAY)
         number, bent = np.full(len(pixels), sampler.sample, np.int64), None
         if self._glass:
-            behind = self._glass.follow(origin, direction, hits, sampler, pixels, number, 0)
-            origin, direction, hits, bent = behind.lines
+            origin, direction, hits, bent = self._glass.follow(
+                origin, direction, hits, sampler, pixels, number, 0
+            )
         beta = np.ones((len(pixels), 3), np.float32) if hits.weight is None else hits.weight
         return Rays(
             path=np.arange(len(pixels)),
@@ -348,7 +349,7 @@ class Integrator:
             behind = self._glass.follow(
                 origin, direction.copy(), hits, numbers.sampler, pixels, number, depth
             )
-            origin, direction, hits, bent = behind.lines
+            origin, direction, hits, bent = behind
         # A ray into a black sky brings nothing, whatever T is.
         lit = slice(None) if self._infinite else np.flatnonzero(hits.instance >= 0)
         for part, place, points in vertices.local_rows(row[lit]):

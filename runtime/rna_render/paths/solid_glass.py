@@ -4,7 +4,8 @@ Smooth interfaces scatter into single directions, so nothing is sampled there, a
 passes: light that comes through glass is what rays find behind it. `docs/scene.md` says so.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -21,8 +22,7 @@ MOST_INTERFACES = 24
 _DIMENSION = 1 << 20  # of random numbers: beyond those of the points of any path
 
 
-@dataclass(frozen=True, slots=True)
-class Followed:
+class Followed(NamedTuple):
     """Rays from the last interface that they met, or from their beginning.
 
     origin, direction: (n, 3) float32, world space. hits: of no glass; their weight has what is left
@@ -33,11 +33,6 @@ class Followed:
     direction: np.ndarray
     hits: ClosestHits
     bent: np.ndarray
-
-    @property
-    def lines(self) -> tuple[np.ndarray, np.ndarray, ClosestHits, np.ndarray]:
-        """All of it, in order."""
-        return self.origin, self.direction, self.hits, self.bent
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +50,16 @@ class _Interfaces:
     tint: np.ndarray
     absorption: np.ndarray
     step: np.ndarray
+
+
+class _Rays(NamedTuple):
+    """Rays that are followed: (n, 3) each; inside: absorption where they are."""
+
+    origin: np.ndarray
+    direction: np.ndarray
+    hits: ClosestHits
+    weight: np.ndarray
+    inside: np.ndarray
 
 
 class SolidGlass:
@@ -88,49 +93,26 @@ class SolidGlass:
         """
         bent = np.zeros(len(origin), bool)
         weight = np.ones((len(origin), 3), np.float32) if hits.weight is None else hits.weight
-        inside = np.zeros((len(origin), 3))  # absorption where the rays are
+        rays = _Rays(origin, direction, hits, weight, inside=np.zeros((len(origin), 3)))
         row = self._on_glass(hits, np.arange(len(origin)))
         for k in range(MOST_INTERFACES):
             if not len(row):
                 break
             bent[row] = True
-            at = self._interfaces(hits, origin, direction, row)
+            at = self._interfaces(rays, row)
             dimension = _DIMENSION + depth * MOST_INTERFACES + k
             u = sampler.square(pixels[row], dimension, number=number[row])[:, 0]
-            self._pass(at, row, u, origin, direction, hits, weight, inside)
+            self._pass(at, row, u, rays)
             row = self._on_glass(hits, row)
         hits.instance[row] = -1
         weight[row] = 0.0
-        ends = np.flatnonzero(bent & np.isfinite(hits.t) & inside.any(axis=1))
-        weight[ends] *= np.exp(-inside[ends] * hits.t[ends, None])
-        return Followed(
-            origin,
-            direction,
-            ClosestHits(
-                t=hits.t,
-                instance=hits.instance,
-                geometry=hits.geometry,
-                primitive=hits.primitive,
-                u=hits.u,
-                v=hits.v,
-                ng=hits.ng,
-                weight=weight,
-            ),
-            bent,
-        )
+        ends = np.flatnonzero(bent & np.isfinite(hits.t) & rays.inside.any(axis=1))
+        weight[ends] *= np.exp(-rays.inside[ends] * hits.t[ends, None])
+        return Followed(origin, direction, replace(hits, weight=weight), bent)
 
-    def _pass(
-        self,
-        at: _Interfaces,
-        row: np.ndarray,
-        u: np.ndarray,
-        origin: np.ndarray,
-        direction: np.ndarray,
-        hits: ClosestHits,
-        weight: np.ndarray,
-        inside: np.ndarray,
-    ) -> None:
+    def _pass(self, at: _Interfaces, row: np.ndarray, u: np.ndarray, rays: _Rays) -> None:
         """Take the rays of the rows to their hits behind an interface, in place."""
+        origin, direction, hits, weight, inside = rays
         d = direction[row].astype(np.float64)
         enters = np.sum(d * at.ng, axis=1) < 0.0
         # A ray that began inside leaves what it was not known to be in.
@@ -149,16 +131,6 @@ class SolidGlass:
         inside[row] = np.where(passes[:, None], np.maximum(medium + change, 0.0), medium)
         direction[row] = out
         origin[row] = stepped(at.x, at.ng, at.step, direction[row])
-        self._trace(row, origin, direction, hits, weight)
-
-    def _trace(
-        self,
-        row: np.ndarray,
-        origin: np.ndarray,
-        direction: np.ndarray,
-        hits: ClosestHits,
-        weight: np.ndarray,
-    ) -> None:
         behind = self._world.scene.intersect(origin[row], direction[row], rays=INDIRECT_RAY)
         for name in ("t", "instance", "geometry", "primitive", "u", "v", "ng"):
             getattr(hits, name)[row] = getattr(behind, name)
@@ -173,14 +145,12 @@ class SolidGlass:
             met[here] = mesh.solid_ior[mesh.material_numbers[hits.primitive[row[here]]]] > 0.0
         return row[met]
 
-    def _interfaces(
-        self, hits: ClosestHits, origin: np.ndarray, direction: np.ndarray, row: np.ndarray
-    ) -> _Interfaces:
-        world, count = self._world, len(row)
+    def _interfaces(self, rays: _Rays, row: np.ndarray) -> _Interfaces:
+        world, count, hits = self._world, len(row), rays.hits
         x, n = np.empty((count, 3), np.float32), np.empty((count, 3), np.float32)
         ior, tint, absorption = np.empty(count), np.empty((count, 3)), np.empty((count, 3))
         step, instance = np.empty(count, np.float32), hits.instance[row]
-        lines = world.lines(instance, origin[row], direction[row])
+        lines = world.lines(instance, rays.origin[row], rays.direction[row])
         for number, mesh in self._meshes.items():
             here = np.flatnonzero(instance == number)
             where = (values[row[here]] for values in (hits.primitive, hits.u, hits.v))
