@@ -7,6 +7,7 @@ the renderer does not ask which kind it has.
 from abc import abstractmethod
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -85,13 +86,11 @@ class AssetBody:
         primitive, u, v = hits.primitive[ray], hits.u[ray], hits.v[ray]
         points = self.scene.points(part, primitive, u, v, hits.ng[ray])
         asset = (self._parts if seen else self._indirect)[part]
-        rest = self._rest_points(part, hits, ray)
+        place = _Place(self.scene, part, points, wo, self._rest_points(part, hits, ray))
         if asset.kind == "fiber":
-            assert isinstance(points, FiberPoints)
-            result: _NeuralPoints = _StrandPoints(asset, self.scene, part, points, wo, rest)
+            result: _NeuralPoints = _StrandPoints(asset, place)
         else:
-            assert isinstance(points, SurfacePoints)
-            result = _MeshPoints(asset, self.scene, part, points, wo, rest)
+            result = _MeshPoints(asset, place)
             if asset.uses_base_color:
                 result.base_color = asset.base_color_at(primitive, u, v, widths)
         result.leaving = self._lobes[part].at(primitive)
@@ -113,29 +112,30 @@ def rest_maps_of(asset: Asset) -> RestMaps:
     return [part_normal_maps(part) for part in asset.parts]
 
 
+class _Place(NamedTuple):
+    """Points of a part, and what its decoder takes instead where the part is in motion."""
+
+    scene: PartsScene
+    part: int
+    at: PartPoints
+    wo: np.ndarray
+    rest: RestPoints | None
+
+
 class _NeuralPoints(Points):
     """Points of a part of an asset: its decoder evaluates scattering, given visibility along wi.
 
-    rest: what the decoder takes instead of the points, where the part is in motion.
     leaving: lobes of rays that leave the points.
     """
 
     leaving: PlacedLobes
     tangents: np.ndarray
 
-    def __init__(
-        self,
-        asset: SurfaceAsset | FiberAsset,
-        scene: PartsScene,
-        part: int,
-        at: PartPoints,
-        wo: np.ndarray,
-        rest: RestPoints | None,
-    ) -> None:
-        self._scene, self._part, self._at, self._wo, self._rest = scene, part, at, wo, rest
+    def __init__(self, asset: SurfaceAsset | FiberAsset, place: _Place) -> None:
+        self._scene, self._part, self._at, self._wo, self._rest = place
         self._lengths = asset.nearby_lengths
-        self.x, self.n = at.x, at.n
-        self._query_wo = wo if rest is None else rest.to_rest(wo)
+        self.x, self.n = self._at.x, self._at.n
+        self._query_wo = self._wo if self._rest is None else self._rest.to_rest(self._wo)
 
     def transport(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray, u: np.ndarray | None
@@ -178,17 +178,10 @@ class _NeuralPoints(Points):
 class _MeshPoints(_NeuralPoints):
     base_color: np.ndarray | None = None
 
-    def __init__(
-        self,
-        asset: SurfaceAsset,
-        scene: PartsScene,
-        part: int,
-        at: SurfacePoints,
-        wo: np.ndarray,
-        rest: RestPoints | None,
-    ) -> None:
-        super().__init__(asset, scene, part, at, wo, rest)
-        self._asset, self.n = asset, at.mapped
+    def __init__(self, asset: SurfaceAsset, place: _Place) -> None:
+        super().__init__(asset, place)
+        assert isinstance(place.at, SurfacePoints)
+        self._asset, self.n = asset, place.at.mapped
         self.tangents = np.zeros_like(self.n)
 
     def _sent(
@@ -202,19 +195,11 @@ class _MeshPoints(_NeuralPoints):
 class _StrandPoints(_NeuralPoints):
     on_strands = True
 
-    def __init__(
-        self,
-        asset: FiberAsset,
-        scene: PartsScene,
-        part: int,
-        at: FiberPoints,
-        wo: np.ndarray,
-        rest: RestPoints | None,
-    ) -> None:
-        super().__init__(asset, scene, part, at, wo, rest)
-        self._asset = asset
-        self.tangents = at.tangent
-        self._h = offset_across(at.n, at.tangent, wo)
+    def __init__(self, asset: FiberAsset, place: _Place) -> None:
+        super().__init__(asset, place)
+        assert isinstance(place.at, FiberPoints)
+        self._asset, self.tangents = asset, place.at.tangent
+        self._h = offset_across(place.at.n, place.at.tangent, place.wo)
 
     def _sent(
         self, row: np.ndarray, wi: np.ndarray, v: np.ndarray, nearby: np.ndarray | None
