@@ -46,9 +46,21 @@ def transmittance(
         rows = np.flatnonzero((triangle >= record.first) & (triangle < record.first + record.count))
         corners = mesh.triangles[triangle[rows]]
         weights = np.stack([1.0 - u[rows] - v[rows], u[rows], v[rows]], axis=1, dtype=np.float64)
-        tau[rows] = _texture(record, mesh, corners, weights)
-        if record.ior is not None:
-            tau[rows] *= 1.0 - _reflected(record.ior, mesh, corners, weights, direction[rows])
+        if mesh.uvs is None:  # then the texture is one texel
+            uv = np.zeros((len(corners), 2))
+        else:
+            uv = np.einsum("nk,nkc->nc", weights, mesh.uvs[corners].astype(np.float64))
+        value = bilinear(record.texture, uv) / 255.0
+        tau[rows] = value if record.cutoff is None else (value > record.cutoff).astype(np.float64)
+        if record.ior is not None:  # the share that Fresnel's law reflects does not pass
+            p = mesh.positions[corners].astype(np.float64)
+            d = direction[rows].astype(np.float64)
+            outward = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
+            n = np.einsum("nk,nkc->nc", weights, mesh.normals[corners].astype(np.float64))
+            length = np.linalg.norm(n, axis=1)
+            n /= np.where(length > 0.0, length, 1.0)[:, None]
+            eta = np.where(np.sum(d * outward, axis=1) < 0.0, *record.ior)
+            tau[rows] *= 1.0 - fresnel(eta, np.minimum(np.abs(np.sum(n * d, axis=1)), 1.0))[:, None]
     return tau.astype(np.float32)
 
 
@@ -59,19 +71,6 @@ def fresnel(eta: Float, cosine: Float) -> Float:
     g = np.sqrt(np.where(total, 1.0, square))
     ratio = (cosine * (g + cosine) - 1.0) / (cosine * (g - cosine) + 1.0)
     return np.where(total, 1.0, ((g - cosine) / (g + cosine)) ** 2 * (1.0 + ratio**2) / 2.0)
-
-
-def _texture(
-    record: Transmittance, mesh: Mesh, corners: NDArray[np.uint32], weights: Float
-) -> Float:
-    """(n, 1 or 3): the texture at the hits, repeated, bilinear, after its cutoff."""
-    texels = record.texture
-    if mesh.uvs is None:  # then the texture is one texel
-        uv = np.zeros((len(corners), 2))
-    else:
-        uv = np.einsum("nk,nkc->nc", weights, mesh.uvs[corners].astype(np.float64))
-    value = bilinear(texels, uv) / 255.0
-    return value if record.cutoff is None else (value > record.cutoff).astype(np.float64)
 
 
 def bilinear(texels: NDArray[np.uint8], uv: Float) -> Float:
@@ -87,21 +86,3 @@ def bilinear(texels: NDArray[np.uint8], uv: Float) -> Float:
     )
     result: Float = (1.0 - b) * upper + b * lower
     return result
-
-
-def _reflected(
-    ior: tuple[float, float],
-    mesh: Mesh,
-    corners: NDArray[np.uint32],
-    weights: Float,
-    direction: NDArray[np.floating],
-) -> Float:
-    """(n, 1): the share that Fresnel's law reflects."""
-    p = mesh.positions[corners].astype(np.float64)
-    d = direction.astype(np.float64)
-    outward = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
-    n = np.einsum("nk,nkc->nc", weights, mesh.normals[corners].astype(np.float64))
-    length = np.linalg.norm(n, axis=1)
-    n /= np.where(length > 0.0, length, 1.0)[:, None]
-    eta = np.where(np.sum(d * outward, axis=1) < 0.0, *ior)
-    return fresnel(eta, np.minimum(np.abs(np.sum(n * d, axis=1)), 1.0))[:, None]

@@ -69,22 +69,11 @@ def scene_tables(world: World, lights: Sequence[Light]) -> SceneTables:
     shining = np.where(world.light[ordered] < 0, NONE, world.light[ordered]).astype(np.uint32)
     geometry.instances["host_data"] = shining
     stored = {k: at for at, k in enumerate(ordered)}
-    return _joined(world, lights, surfaces, geometry, stored, numbers)
-
-
-def _joined(
-    world: World,
-    lights: Sequence[Light],
-    surfaces: Surfaces,
-    geometry: Geometry,
-    stored: dict[int, int],
-    bodies: dict[int, int],
-) -> SceneTables:
     images = surfaces.images
     rows = {
         "objects": _scene_objects(world, list(stored)),
         "surfaces": surfaces.with_points(geometry.first_points),
-        "lights": light_rows(lights, world, images, geometry, stored, bodies),
+        "lights": light_rows(lights, world, images, geometry, stored, numbers),
         "albedo": _albedo() if surfaces.has_coat else np.zeros((1, 4), np.float32),
         "domains": domain_rows([asset_at(world, place).domain for place, _ in surfaces.parts]),
         "textures": images.texture_rows(),

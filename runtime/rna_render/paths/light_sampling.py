@@ -165,27 +165,17 @@ def caught_light(
     result = np.zeros((len(vertices), 2))
     choices, probability = lighting.choose(numbers)
     for choice in choices:
-        light = _one_light(lighting, vertices, d_world, choice, probability)
+        row = choice.row
+        samples = lighting.sample(choice, vertices.x_world[row])
+        visibility = lighting.visibility(vertices, row, samples.wi_world, samples.distance, None)
+        cosine = np.abs(np.sum(vertices.n_world[row] * samples.wi_world, axis=1))
+        side = np.sum(vertices.ng_world * d_world, axis=1)[row]
+        side *= np.sum(vertices.ng_world[row] * samples.wi_world, axis=1)
+        cosine = np.where(side < 0.0, cosine, np.float32(0.0))
+        pdf = samples.pdf * probability[choice.light]
+        weight = np.divide(cosine, pdf, out=np.zeros_like(cosine), where=pdf > 0.0)
+        received = (samples.radiance * visibility).mean(axis=1) * weight
+        light = np.column_stack([received, samples.radiance.mean(axis=1) * weight])
         for column in range(2):
             result[:, column] += np.bincount(choice.row, light[:, column], len(vertices))
     return result.astype(np.float32)
-
-
-def _one_light(
-    lighting: LightSampling,
-    vertices: Vertices,
-    d_world: np.ndarray,
-    choice: LightChoice,
-    probability: np.ndarray,
-) -> np.ndarray:
-    row = choice.row
-    samples = lighting.sample(choice, vertices.x_world[row])
-    visibility = lighting.visibility(vertices, row, samples.wi_world, samples.distance, None)
-    cosine = np.abs(np.sum(vertices.n_world[row] * samples.wi_world, axis=1))
-    side = np.sum(vertices.ng_world * d_world, axis=1)[row]
-    side *= np.sum(vertices.ng_world[row] * samples.wi_world, axis=1)
-    cosine = np.where(side < 0.0, cosine, np.float32(0.0))
-    pdf = samples.pdf * probability[choice.light]
-    weight = np.divide(cosine, pdf, out=np.zeros_like(cosine), where=pdf > 0.0)
-    received = (samples.radiance * visibility).mean(axis=1) * weight
-    return np.column_stack([received, samples.radiance.mean(axis=1) * weight])
