@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rna_render.motion.asset_motion import bound_gltf
+from rna_render.motion.asset_motion import open_asset_motion
 from rna_render.motion.gltf_motion import GltfMotion
 from rna_sdk.errors import MotionError
 from tests.motion.gltf_files import GltfFile, bending_arm, moving_node, quaternion
@@ -94,18 +94,17 @@ def test_the_last_key_of_a_clip_between_two_frames_is_shown(tmp_path: Path) -> N
 
 def test_a_clip_moves_a_package_that_was_made_from_another_one(tmp_path: Path) -> None:
     """The package has the shape of the walk's first key, in which the run never is."""
-    path, turns = tmp_path / "walk.gltf", [quaternion((0, 1, 0), angle) for angle in (30, 60, 90)]
-    moving_node(path, MESH, [("rotation", [0, 1], turns[:2])])
-    moving_node(tmp_path / "run.gltf", MESH, [("rotation", [0, 1], turns[1:])])
-    walk, run = GltfMotion(path), GltfMotion(tmp_path / "run.gltf")
-    shape = replace(MESH, positions=walk.positions(0).astype(np.float32))
+    turns = [quaternion((0, 1, 0), angle) for angle in (30, 60, 90)]
+    walk = moving_node(tmp_path / "walk.gltf", MESH, [("rotation", [0, 1], turns[:2])])
+    run = moving_node(tmp_path / "run.gltf", MESH, [("rotation", [0, 1], turns[1:])])
+    shape = replace(MESH, positions=GltfMotion(walk).positions(0).astype(np.float32))
     with pytest.raises(MotionError, match="has not the rest shape of fox"):
-        bound_gltf(run, [shape], "fox", rest_frame=0)
-    bound = bound_gltf(run, [shape], "fox", rest_frame=0, made_from=walk)
-    np.testing.assert_allclose(bound.positions(24)[0], run.positions(24), atol=1e-5)
-    moving_node(tmp_path / "other.gltf", grid(4), [("rotation", [0, 1], turns[1:])])
+        open_asset_motion(run, [shape], "fox", rest_frame=0)
+    bound = open_asset_motion(run, [shape], "fox", rest_frame=0, made_from=walk)
+    np.testing.assert_allclose(bound.positions(24)[0], GltfMotion(run).positions(24), atol=1e-5)
+    other = moving_node(tmp_path / "other.gltf", grid(4), [("rotation", [0, 1], turns[1:])])
     with pytest.raises(MotionError, match="not of the same triangles"):
-        bound_gltf(GltfMotion(tmp_path / "other.gltf"), [shape], "fox", made_from=walk)
+        open_asset_motion(other, [shape], "fox", made_from=walk)
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,6 @@ from rna_export.capture.geometry.followed_source import captured_poses
 from rna_export.capture.geometry.mesh_cleanup import welded
 from rna_export.motion.rna_motion import main
 from rna_render import open_asset_motion
-from rna_render.motion.asset_motion import bound_gltf
 from rna_render.motion.gltf_motion import GltfMotion
 from rna_sdk.errors import CaptureError
 from rna_sdk.files.file_kinds import kind_of
@@ -135,7 +134,7 @@ def test_an_animated_gltf_is_captured_at_its_first_keys(
         assert worker.opened["frame"] == 0
         mesh, _ = welded(worker.export_corners())
     motion = GltfMotion(path)
-    bound_gltf(motion, [mesh], "walk.rna", rest_frame=0)
+    open_asset_motion(path, [mesh], "walk.rna", rest_frame=0)
     assert np.ptp(motion.positions(0) - motion.positions(1), axis=0).max() > 0.01
 
 

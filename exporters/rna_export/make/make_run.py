@@ -270,17 +270,9 @@ class Make:
     def _phase(self, preset: str, length: Length, number: int | None) -> Phase:
         """A training in a round, counted from 0, or the last one."""
         options, dataset, state = self._options, self._rays.dataset, self._state
-        return Phase(
-            dataset,
-            preset,
-            length,
-            phase_folder(options.work, preset, number),
-            options.seed,
-            options.device,
-            options.nearby,
-            options.picture,
-            starts_of(state, options.work, preset, dataset),
-        )
+        folder = phase_folder(options.work, preset, number)
+        starts = starts_of(state, options.work, preset, dataset)
+        return Phase(dataset, preset, length, folder, options, starts)
 
     def _verdict(self) -> Verdict | None:
         rounds = self._state.rounds

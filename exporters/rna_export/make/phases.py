@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from time import monotonic
@@ -12,6 +12,7 @@ from typing import Self
 import numpy as np
 
 from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.make.make_options import MakeOptions
 from rna_export.make.make_progress import Stage, quiet
 from rna_export.make.plan import Length
 from rna_export.make.state import Score
@@ -30,20 +31,16 @@ from rna_work.bar import Bar
 class Phase:
     """A training of one preset, of all parts.
 
-    folder: for checkpoints, one folder in it for each of several parts. nearby: one of
-    NEARBY_MODES. picture: a file that shows
-    the model while it is trained; None for none. starts: checkpoints of parts to start from.
+    folder: for checkpoints, one folder in it for each of several parts. starts: checkpoints of
+    parts to start from.
     """
 
     dataset: Dataset
     preset: str
     length: Length
     folder: Path
-    seed: int
-    device: str
-    nearby: str
-    picture: Path | None = None
-    starts: Mapping[str, Path] = field(default_factory=dict)
+    options: MakeOptions
+    starts: Mapping[str, Path]
 
     def run(self, shards: Sequence[Path], stage: Stage) -> None:
         """Train each part on the samples of these shards; parts that are finished are skipped."""
@@ -58,24 +55,24 @@ class Phase:
                 self._preset(part.kind),
                 self.preset,
                 out,
-                self.seed,
+                self.options.seed,
                 minutes[part.name],
                 begun,
-                self.device,
+                self.options.device,
                 after_checkpoint=partial(self._show, out),
                 start=self.starts.get(part.name),
             )
             no_bar = partial(Bar, disable=True)
-            run, table = run_on(run, self.nearby, part.samples_of(shards), quiet, no_bar)
+            run, table = run_on(run, self.options.nearby, part.samples_of(shards), quiet, no_bar)
             train(run, table, quiet, stage.part(k / len(parts), 1 / len(parts)))
 
     def _show(self, training: Path) -> None:
-        if self.picture is not None:
-            copy_sheet(training, self.picture)
+        if self.options.picture is not None:
+            copy_sheet(training, self.options.picture)
 
     def _preset(self, kind: str) -> Preset:
         """The preset of this length."""
-        preset = PRESETS[kind][self.preset].on_device(self.device)
+        preset = PRESETS[kind][self.preset].on_device(self.options.device)
         return (
             preset if self.length.steps is None else preset.with_training(steps=self.length.steps)
         )

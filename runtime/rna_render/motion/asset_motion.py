@@ -43,42 +43,24 @@ def open_asset_motion(
     the glTF that the package was made from, of whose clip it has the shape; None for `path`.
 
     Raises:
-        MotionError: the file is no motion, or not one of this package.
+        MotionError: the file is no motion, or not one of this package: in none of the poses that
+            it may have been made in, a glTF has its shape.
     """
     if is_gltf(path):
-        source = GltfMotion(path, clip, rate)
-        other = None if made_from is None else GltfMotion(made_from)
-        return bound_gltf(source, geometries, package, rest_frame, other)
+        source, first = GltfMotion(path, clip, rate), None
+        made = source if made_from is None else GltfMotion(made_from)
+        if not np.array_equal(made.triangles, source.triangles):
+            raise MotionError(f"{made.path} and {source.path} are not of the same triangles")
+        for pose in made.rest_poses(rest_frame):
+            try:
+                names = source.path.name, package
+                return BoundMotion(source, bind(geometries, pose, source.triangles, names))
+            except MotionError as error:
+                first = first or error
+        assert first is not None
+        raise first
     if kind_of(path) == "model":
         out = path.with_suffix(".rnam").name
         command = command_line("rna-motion", path, package, "--out", out)
         raise MotionError(f"{path}: is not read here; {command} writes a motion file of it")
     return open_motion(path, geometries, package)
-
-
-def bound_gltf(
-    source: GltfMotion,
-    geometries: Sequence[Mesh | Curves],
-    package: str,
-    rest_frame: int | None = None,
-    made_from: GltfMotion | None = None,
-) -> BoundMotion:
-    """A package that follows a glTF, in whose rest pose it was made, or in that of another one of
-    the same character.
-
-    Raises:
-        MotionError: in none of the poses that it may have been made in, it has the package's shape,
-            or the two are not of the same triangles.
-    """
-    first: MotionError | None = None
-    made = made_from or source
-    if not np.array_equal(made.triangles, source.triangles):
-        raise MotionError(f"{made.path} and {source.path} are not of the same triangles")
-    for pose in made.rest_poses(rest_frame):
-        try:
-            names = source.path.name, package
-            return BoundMotion(source, bind(geometries, pose, source.triangles, names))
-        except MotionError as error:
-            first = first or error
-    assert first is not None
-    raise first
