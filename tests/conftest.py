@@ -51,13 +51,13 @@ def _longest_files_first(items: list[pytest.Item]) -> None:
 
 
 @pytest.fixture(scope="session")
-def blender_python() -> Path:
+def blender_python():
     """The interpreter that can `import bpy`; for tests marked `blender`."""
     return find_python()
 
 
 @pytest.fixture(scope="session")
-def data_folder() -> Path:
+def data_folder():
     """The real models; for tests marked `data`."""
     return DATA
 

@@ -38,13 +38,13 @@ def imports(folder: Path) -> set[str]:
 
 
 @pytest.mark.parametrize(("package", "folder", "ours"), LAYERS, ids=[row[0] for row in LAYERS])
-def test_layers(package: str, folder: str, ours: str) -> None:
+def test_layers(package, folder, ours):
     packages = {row[0] for row in LAYERS}
     actual = imports(REPOSITORY / folder) & packages - {package}
     assert ours.strip() == "all" or actual == set(re.findall(r"`(\w+)`", ours))
 
 
-def test_references_share_nothing_with_what_they_check() -> None:
+def test_references_share_nothing_with_what_they_check():
     kinds = {
         name
         for path in ("base_color", "lobes", "nearby")
@@ -53,7 +53,7 @@ def test_references_share_nothing_with_what_they_check() -> None:
     assert kinds <= {"rna_sdk.package"}
 
 
-def test_files_exist() -> None:
+def test_files_exist():
     """Each row names files whole, or beside the file before."""
     for row in re.findall(r"^\|.*\|$", PAGE, re.MULTILINE):
         folder = REPOSITORY
@@ -63,7 +63,7 @@ def test_files_exist() -> None:
             folder = path.parent
 
 
-def test_the_walk_is_short() -> None:
+def test_the_walk_is_short():
     assert len(set(WALK)) == len(WALK) <= 14
 
 
@@ -89,7 +89,7 @@ class Rendered(NamedTuple):
 
 
 @pytest.fixture(scope="module")
-def rendered(tmp_path_factory: pytest.TempPathFactory) -> Rendered:
+def rendered(tmp_path_factory):
     decoder, main_thread = REPOSITORY / WALK[-1], threading.main_thread()
     on_stack: set[str] = set()
     stacks: dict[tuple[str, str], list[str]] = {}
@@ -135,7 +135,7 @@ def way_through(stacks: list[list[str]]) -> list[str]:
     return [file for file, last in zip(way, ["", *way], strict=False) if file != last]
 
 
-def test_the_walk_is_what_a_render_does(rendered: Rendered) -> None:
+def test_the_walk_is_what_a_render_does(rendered):
     """No file of ours is on the stack of the decoder, in its thread or in the main one, but these.
 
     The kernel that fills the decoder's inputs is compiled, and so on no stack of Python's.
@@ -144,14 +144,14 @@ def test_the_walk_is_what_a_render_does(rendered: Rendered) -> None:
     assert rendered.on_stack | compiled == set(WALK)
 
 
-def test_the_way_to_the_first_ray_is_short(rendered: Rendered) -> None:
+def test_the_way_to_the_first_ray_is_short(rendered):
     """Its last file is that of the rays."""
     files = set(rendered.way) - {"runtime/rna_trace/embree/instances.py"}
     assert len(files) <= 12, sorted(files)
     assert len(rendered.way) - len(set(rendered.way)) <= 8, rendered.way
 
 
-def test_a_way_comes_back_to_what_called_both() -> None:
+def test_a_way_comes_back_to_what_called_both():
     assert way_through([["a", "b", "c"], ["a", "b", "b", "d"], ["a", "e"]]) == [
         *("a", "b", "c", "b", "d", "a", "e")
     ]

@@ -3,7 +3,6 @@
 import os
 import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,7 +14,7 @@ from rna_sdk.files.outputs import check_outputs
 from rna_sdk.runtime.engine import costs
 
 
-def test_the_file_is_replaced_at_the_end(tmp_path: Path) -> None:
+def test_the_file_is_replaced_at_the_end(tmp_path):
     path = tmp_path / "a.bin"
     path.write_bytes(b"old")
     with atomic_file(path) as temporary:
@@ -26,7 +25,7 @@ def test_the_file_is_replaced_at_the_end(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["a.bin"]
 
 
-def test_a_failure_leaves_the_old_file_alone(tmp_path: Path) -> None:
+def test_a_failure_leaves_the_old_file_alone(tmp_path):
     path = tmp_path / "a.bin"
     path.write_bytes(b"old")
     with pytest.raises(ValueError), atomic_file(path) as temporary:
@@ -38,7 +37,7 @@ def test_a_failure_leaves_the_old_file_alone(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["a.bin"]
 
 
-def test_a_folder_in_the_way_stays_and_nothing_else(tmp_path: Path) -> None:
+def test_a_folder_in_the_way_stays_and_nothing_else(tmp_path):
     path = tmp_path / "a.bin"
     path.mkdir()
     with pytest.raises(IsADirectoryError):
@@ -47,22 +46,20 @@ def test_a_folder_in_the_way_stays_and_nothing_else(tmp_path: Path) -> None:
 
 
 @pytest.fixture
-def no_rename(monkeypatch: pytest.MonkeyPatch) -> None:
+def no_rename(monkeypatch):
     def refuse(source: object, target: object) -> None:
         raise OSError("no space left")
 
     monkeypatch.setattr(os, "replace", refuse)
 
 
-def test_the_cost_cache_leaves_no_temporary_file(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, no_rename: None
-) -> None:
+def test_the_cost_cache_leaves_no_temporary_file(tmp_path, monkeypatch, no_rename):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     assert costs.cached_cost(lambda: 5.0, "package") == 5.0
     assert os.listdir(tmp_path / "rna-sdk") == []
 
 
-def test_an_image_that_cannot_be_renamed_leaves_none(tmp_path: Path, no_rename: None) -> None:
+def test_an_image_that_cannot_be_renamed_leaves_none(tmp_path, no_rename):
     with pytest.raises(SceneError, match="cannot write the image"):
         write_png(tmp_path / "a.png", np.zeros((2, 2, 3), np.float32))
     assert os.listdir(tmp_path) == []
@@ -80,7 +77,7 @@ with atomic_file(Path(sys.argv[1])) as temporary:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="folders cannot be locked")
-def test_what_a_killed_process_left_goes_at_the_next_start(tmp_path: Path) -> None:
+def test_what_a_killed_process_left_goes_at_the_next_start(tmp_path):
     def names() -> list[str]:
         return sorted(path.name for path in tmp_path.iterdir())
 

@@ -2,7 +2,6 @@
 
 import importlib.util
 import sys
-from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
 
@@ -16,7 +15,7 @@ from tests.conftest import REPOSITORY
 
 
 @pytest.fixture(scope="module")
-def of_extension() -> Callable[[], Path]:
+def of_extension():
     """The extension runs in Blender's Python, without the SDK: it has a copy of the rule."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setitem(sys.modules, "bpy", ModuleType("bpy"))
@@ -39,12 +38,12 @@ def of_extension() -> Callable[[], Path]:
     ],
 )
 def test_empty_and_relative_names_are_ignored(
-    named: str | None,
-    expected: str,
-    of_extension: Callable[[], Path],
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+    named,
+    expected,
+    of_extension,
+    tmp_path,
+    monkeypatch,
+):
     monkeypatch.setenv("HOME", str(tmp_path))
     monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
     if named is not None:
@@ -57,7 +56,7 @@ def test_empty_and_relative_names_are_ignored(
     assert of_extension() == folder / "sdk"
 
 
-def test_no_other_file_reads_the_variable() -> None:
+def test_no_other_file_reads_the_variable():
     folders = ("rna_sdk", "runtime", "exporters", "benchmarks")
     files = (path for name in folders for path in (REPOSITORY / name).rglob("*.py"))
     found = {path.name for path in files if 'get("XDG_CACHE_HOME' in path.read_text("utf-8")}

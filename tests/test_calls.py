@@ -38,7 +38,7 @@ def _tuples(node: ast.AST) -> Iterator[str]:
                     yield name.id
 
 
-def test_no_tuple_is_made_to_be_unpacked_in_a_call() -> None:
+def test_no_tuple_is_made_to_be_unpacked_in_a_call():
     files = [path for folder in FOLDERS for path in (REPOSITORY / folder).rglob("*.py")]
     found = {str(path.relative_to(REPOSITORY)): starred(path.read_text()) for path in files}
     assert len(found) > 700
@@ -55,5 +55,5 @@ def test_no_tuple_is_made_to_be_unpacked_in_a_call() -> None:
         ("f(*(a for a in b))", []),
     ],
 )
-def test_what_counts(body: str, expected: list[str]) -> None:
+def test_what_counts(body, expected):
     assert starred(f"def h():\n {body}") == expected

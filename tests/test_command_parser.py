@@ -19,9 +19,7 @@ def main_of(command: str):
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_every_command_says_its_version(
-    command: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_every_command_says_its_version(command, capsys, monkeypatch):
     monkeypatch.setattr("sys.argv", [command, "--version"])
     with pytest.raises(SystemExit) as ended:
         main_of(command)()
@@ -29,16 +27,14 @@ def test_every_command_says_its_version(
     assert capsys.readouterr().out == f"{command} {rna_sdk.__version__}\n"
 
 
-def test_a_name_of_two_lines_makes_an_error_of_one(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_name_of_two_lines_makes_an_error_of_one(capsys):
     with pytest.raises(SystemExit):
         main_of("rna-export")(["two\nlines.rna", "--out", "out.rna"])
     assert "found two; lines.rna, expected checkpoints" in capsys.readouterr().err.splitlines()[1]
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_bad_usage_is_an_example_and_the_error(
-    command: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_bad_usage_is_an_example_and_the_error(command, capsys, monkeypatch):
     monkeypatch.setattr("sys.argv", [command])
     with pytest.raises(SystemExit) as ended:
         main_of(command)()
@@ -48,7 +44,7 @@ def test_bad_usage_is_an_example_and_the_error(
     assert error.startswith(f"{command}: error: ")
 
 
-def test_an_unknown_option_names_the_likely_one(capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_unknown_option_names_the_likely_one(capsys):
     parser = command_parser("rna-x", "Do it.", "rna-x")
     parser.add_argument("--samples")
     for given, hint in ((["--sampels", "4"], "; did you mean --samples?"), (["--zzz"], "")):
@@ -58,7 +54,7 @@ def test_an_unknown_option_names_the_likely_one(capsys: pytest.CaptureFixture[st
         assert said == f"rna-x: error: unrecognized arguments: {' '.join(given)}{hint}"
 
 
-def test_names_with_spaces_are_quoted_in_commands() -> None:
+def test_names_with_spaces_are_quoted_in_commands():
     line = command_line("rna-view", "my toy.rna", "a'b.yaml")
     assert shlex.split(line) == ["rna-view", "my toy.rna", "a'b.yaml"]
     assert command_line("rna-view", "toy.rna") == "rna-view toy.rna"

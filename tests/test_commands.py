@@ -90,21 +90,19 @@ def run(*commands: list[object]) -> list[Done]:
     return [Done(*answer) for answer in json.loads(done.stdout)]
 
 
-def test_the_base_is_small() -> None:
+def test_the_base_is_small():
     beyond = modules_beyond_the_base()
     assert {"torch", "trimesh", "safetensors", "yaml", "embreex", "tqdm"} <= beyond
     assert not {"numpy", "numba", "onnxruntime", "pydantic"} & beyond
 
 
 @pytest.fixture(scope="module")
-def helps() -> dict[str, Done]:
+def helps():
     return dict(zip(COMMANDS, run(*([name, "--help"] for name in COMMANDS)), strict=True))
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_help_needs_no_extra_and_begins_with_a_command_to_copy(
-    command: str, helps: dict[str, Done]
-) -> None:
+def test_help_needs_no_extra_and_begins_with_a_command_to_copy(command, helps):
     done = helps[command]
     assert (done.status, done.error) == (0, "")
     usage, sentence, example = done.out.split("\n\n")[:3]
@@ -146,7 +144,7 @@ EXTRAS = {
 
 
 @pytest.fixture(scope="module")
-def refusals(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Done]:
+def refusals(tmp_path_factory):
     """What commands say that get as far as their first import beyond the base."""
     folders = {name: tmp_path_factory.mktemp(name) for name in EXTRAS}
     commands = ([name, *arguments_that_need(name, folders[name])] for name in EXTRAS)
@@ -154,7 +152,7 @@ def refusals(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Done]:
 
 
 @pytest.mark.parametrize(("command", "extra"), EXTRAS.items())
-def test_a_missing_extra_is_one_line(command: str, extra: str, refusals: dict[str, Done]) -> None:
+def test_a_missing_extra_is_one_line(command, extra, refusals):
     done = refusals[command]
     assert done.status == 1
     assert done.error.startswith("error: no module ") and done.error.count("\n") == 1
@@ -162,7 +160,7 @@ def test_a_missing_extra_is_one_line(command: str, extra: str, refusals: dict[st
     assert extra in PROJECT["optional-dependencies"]
 
 
-def test_what_the_base_can_do_it_does() -> None:
+def test_what_the_base_can_do_it_does():
     output, valid = run(["rna-info", TOY], ["rna-validate", TOY])
     assert output.status == 0 and "PSNR 41.28 dB" in output.out
     part = (
@@ -185,7 +183,7 @@ def test_what_the_base_can_do_it_does() -> None:
         "rna_bench.cli:parser",
     ],
 )
-def test_options_tell_their_default(module: str) -> None:
+def test_options_tell_their_default(module):
     name, function = module.split(":")
     todo = [getattr(import_module(name), function)()]
     while todo:

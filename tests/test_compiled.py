@@ -5,7 +5,6 @@ import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -87,7 +86,7 @@ for line in iter(sys.stdin.readline, ""):
 
 
 @pytest.fixture(scope="module")
-def forking() -> Iterator[subprocess.Popen[str]]:
+def forking():
     command, pipe = [sys.executable, "-c", FORKING], subprocess.PIPE
     with subprocess.Popen(command, stdin=pipe, stdout=pipe, text=True) as process:
         yield process
@@ -122,9 +121,7 @@ def run(command: list[str], folder: Path, **environment: str) -> str:
 
 
 @pytest.fixture(scope="module")
-def compiled_folder(
-    forking: subprocess.Popen[str], tmp_path_factory: pytest.TempPathFactory
-) -> Path:
+def compiled_folder(forking, tmp_path_factory):
     """Folder of a program whose code is on disk, and counts in a copy, too."""
     folder = tmp_path_factory.mktemp("compiled")
     Program(forking, folder / "first").run()
@@ -134,15 +131,13 @@ def compiled_folder(
 
 
 @pytest.fixture
-def compiled_copy(compiled_folder: Path, tmp_path: Path) -> Path:
+def compiled_copy(compiled_folder, tmp_path):
     """A copy of it, to be changed."""
     return shutil.copytree(compiled_folder, tmp_path / "copy")
 
 
 @pytest.mark.parametrize("options", ["", "parallel=True", "numba.types.float64[::1]"])
-def test_code_comes_from_disk_until_a_helper_changes(
-    forking: subprocess.Popen[str], tmp_path: Path, options: str
-) -> None:
+def test_code_comes_from_disk_until_a_helper_changes(forking, tmp_path, options):
     program = Program(forking, tmp_path, options)
     assert [program.run(), program.run()] == [[15.0, 0, 0], [15.0, 1, 1]]
     assert [program.run(called=3.0), program.run(called=3.0)] == [[16.0, 0, 1], [16.0, 1, 1]]
@@ -157,9 +152,7 @@ def test_code_comes_from_disk_until_a_helper_changes(
     ],
     ids=["empty", "cut", "changed"],
 )
-def test_damaged_code_is_compiled_again(
-    forking: subprocess.Popen[str], compiled_copy: Path, damage: Callable[[bytes], bytes]
-) -> None:
+def test_damaged_code_is_compiled_again(forking, compiled_copy, damage):
     """As a power cut leaves it, or a bad disk."""
     program = Program(forking, compiled_copy)
     for suffix in (".nbi", ".nbc"):
@@ -170,14 +163,12 @@ def test_damaged_code_is_compiled_again(
 
 
 @pytest.mark.parametrize("changed", NUMBERS)
-def test_a_change_of_anything_compiled_in_is_seen(
-    forking: subprocess.Popen[str], compiled_copy: Path, changed: str
-) -> None:
+def test_a_change_of_anything_compiled_in_is_seen(forking, compiled_copy, changed):
     result, from_disk, _ = Program(forking, compiled_copy).run(**{changed: 100.0})
     assert (result, from_disk) == (115.0 - NUMBERS[changed], 0)
 
 
-def test_all_kernels_are_compiled_in_one_way() -> None:
+def test_all_kernels_are_compiled_in_one_way():
     folders = ["rna_sdk", "runtime", "exporters", "benchmarks", "examples"]
     uses = re.compile(r"\b(jit|njit|cfunc|vectorize|guvectorize|CPUDispatcher|CFunc)\b")
     files = [file for folder in folders for file in (REPOSITORY / folder).rglob("*.py")]
@@ -210,7 +201,7 @@ except RnaError as error:
 
 
 @pytest.mark.parametrize("layer", ["default", "workqueue", "omp"])
-def test_parallel_kernels_may_run_side_by_side(tmp_path: Path, layer: str) -> None:
+def test_parallel_kernels_may_run_side_by_side(tmp_path, layer):
     (tmp_path / "kernels.py").write_text(SIDE_BY_SIDE.format(before=""))
     output = run([sys.executable, "kernels.py"], tmp_path, NUMBA_THREADING_LAYER=layer)
     assert output.strip() in ("omp", "tbb")
@@ -227,7 +218,7 @@ print(numba.get_num_threads(), os.environ["OMP_WAIT_POLICY"])
 """
 
 
-def test_numba_has_no_more_threads_than_a_quota_and_they_sleep(tmp_path: Path) -> None:
+def test_numba_has_no_more_threads_than_a_quota_and_they_sleep(tmp_path):
     """Numba's own number is that of the affinity."""
     names = "OMP_WAIT_POLICY", "NUMBA_NUM_THREADS"
     program = f"import os\nfor name in {names}:\n    os.environ.pop(name, None)\n"
@@ -248,17 +239,15 @@ numba.get_num_threads()
     [(NO_SAFE_LAYER, "pip install tbb"), (UNSAFE_RUNS, "NUMBA_THREADING_LAYER=threadsafe")],
     ids=["none", "unsafe"],
 )
-def test_without_safe_threads_one_line_says_what_to_do(
-    tmp_path: Path, before: str, expected: str
-) -> None:
+def test_without_safe_threads_one_line_says_what_to_do(tmp_path, before, expected):
     (tmp_path / "kernels.py").write_text(SIDE_BY_SIDE.format(before=before))
     output = run([sys.executable, "kernels.py"], tmp_path, NUMBA_THREADING_LAYER="workqueue")
     assert expected in output and len(output.splitlines()) == 1
 
 
 def test_without_a_folder_for_code_kernels_work_and_one_warning_says_so(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+    monkeypatch,
+):
     """As from a read-only installation whose user has no home."""
 
     def refuse(*_: object) -> None:
@@ -273,7 +262,7 @@ def test_without_a_folder_for_code_kernels_work_and_one_warning_says_so(
     assert (double(2), triple(2), len(warned)) == (4, 6, 1)
 
 
-def test_code_that_cannot_be_written_is_not_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_code_that_cannot_be_written_is_not_kept(monkeypatch):
     """The disk is full, or the folder is read-only by now."""
 
     def full(*_: object) -> None:

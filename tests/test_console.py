@@ -52,9 +52,7 @@ def fails(error: BaseException, debug: bool = False) -> int:
         ),
     ],
 )
-def test_an_error_of_the_system_is_one_line(
-    error: Exception, line: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_an_error_of_the_system_is_one_line(error, line, capsys):
     assert fails(error) == 1
     assert capsys.readouterr().err == f"error: {line}\n"
     assert fails(error, debug=True) == 1
@@ -62,7 +60,7 @@ def test_an_error_of_the_system_is_one_line(
 
 
 @pytest.mark.parametrize("arguments", [[], ["--help"]])
-def test_work_goes_on_after_its_reader_ended(tmp_path: Path, arguments: list[str]) -> None:
+def test_work_goes_on_after_its_reader_ended(tmp_path, arguments):
     reading, writing = os.pipe()
     command = [sys.executable, "-c", LONG, tmp_path / "done", *arguments]
     with subprocess.Popen(command, stdout=writing, stderr=writing) as process:
@@ -74,7 +72,7 @@ def test_work_goes_on_after_its_reader_ended(tmp_path: Path, arguments: list[str
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="the system has no /dev/full")
-def test_output_into_a_full_disk_is_one_line(tmp_path: Path) -> None:
+def test_output_into_a_full_disk_is_one_line(tmp_path):
     with open("/dev/full", "w") as full:
         command = [sys.executable, "-c", LONG, tmp_path / "done"]
         done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True)
@@ -100,7 +98,7 @@ sys.exit(run_command(command, False, "the same command resumes"))
     ("number", "background"),
     [(signal.SIGINT, False), (signal.SIGTERM, False), (signal.SIGTERM, True)],
 )
-def test_a_command_that_is_stopped_tidies(number: int, background: bool) -> None:
+def test_a_command_that_is_stopped_tidies(number, background):
     """In the background of a shell script, Ctrl-C is ignored."""
     before = signal.signal(signal.SIGINT, signal.SIG_IGN if background else signal.SIG_DFL)
     try:
@@ -132,7 +130,7 @@ sys.exit(run_command(command, False, "the same command resumes"))
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGTERM to handle")
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_ctrl_c_in_a_destructor_stops_too(number: int) -> None:
+def test_ctrl_c_in_a_destructor_stops_too(number):
     """Python ignores exceptions there."""
     process = subprocess.Popen(
         [sys.executable, "-c", DELETING], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True

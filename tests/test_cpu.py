@@ -74,15 +74,13 @@ GROUPS: dict[str, tuple[dict[str, str], float]] = {
 
 
 @pytest.mark.parametrize("case", GROUPS)
-def test_the_quota_is_found(case: str, tmp_path: Path) -> None:
+def test_the_quota_is_found(case, tmp_path):
     files, expected = GROUPS[case]
     assert cores_module._quota(written(tmp_path, files)) == expected
 
 
 @pytest.mark.parametrize(("quota", "cores"), [(math.inf, 8), (3.0, 3), (1.5, 2), (0.2, 1), (99, 8)])
-def test_the_lesser_of_affinity_and_quota_counts(
-    monkeypatch: pytest.MonkeyPatch, quota: float, cores: int
-) -> None:
+def test_the_lesser_of_affinity_and_quota_counts(monkeypatch, quota, cores):
     monkeypatch.setattr(os, "sched_getaffinity", lambda _: set(range(8)))
     monkeypatch.setattr(cores_module, "_quota", lambda _: quota)
     assert core_count() == thread_count(None) == cores

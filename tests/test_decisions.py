@@ -21,11 +21,11 @@ def _records(page: str) -> list[str]:
 
 
 @pytest.mark.parametrize("page", PAGES)
-def test_records_have_date_context_options_and_outcome(page: str) -> None:
+def test_records_have_date_context_options_and_outcome(page):
     titles = [record.splitlines()[0] for record in _records(page) if not _FORM.fullmatch(record)]
     assert titles == []
 
 
-def test_the_first_page_leads_to_every_page() -> None:
+def test_the_first_page_leads_to_every_page():
     linked = re.findall(r"^\| \[.+\]\((.+)\) \|", (FOLDER / "README.md").read_text(), re.MULTILINE)
     assert sorted(linked) == PAGES

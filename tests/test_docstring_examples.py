@@ -3,7 +3,6 @@
 import doctest
 import inspect
 from collections.abc import Iterator
-from pathlib import Path
 from types import ModuleType
 
 import numpy as np
@@ -43,9 +42,7 @@ def _does_something(kind: type) -> bool:
 
 
 @pytest.mark.parametrize(("module", "name"), [pytest.param(*p, id=p[1]) for p in public()])
-def test_example(
-    module: ModuleType, name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_example(module, name, tmp_path, monkeypatch):
     for link, package in PACKAGES.items():
         (tmp_path / link).symlink_to(REPOSITORY / "examples" / package)
     monkeypatch.chdir(tmp_path)

@@ -31,7 +31,7 @@ def _lines(paths: Iterable[str | Path]) -> int:
 
 
 @pytest.mark.parametrize("name", MOST_LINES)
-def test_documents_stay_short(name: str) -> None:
+def test_documents_stay_short(name):
     most, paths = MOST_LINES[name]
     assert _lines(paths) <= most
 
@@ -46,14 +46,14 @@ def _anchors(page: Path) -> set[str]:
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda path: str(path.relative_to(REPOSITORY)))
-def test_anchors_exist(page: Path) -> None:
+def test_anchors_exist(page):
     links = re.findall(r"\]\((?!https?:)([^)\s]*)#([^)\s]+)\)", page.read_text())
     targets = [((page.parent / path) if path else page, anchor) for path, anchor in links]
     missing = [f"{path}#{anchor}" for path, anchor in targets if anchor not in _anchors(path)]
     assert missing == []
 
 
-def test_docstrings_name_their_subject() -> None:
+def test_docstrings_name_their_subject():
     listed = subprocess.check_output(["git", "ls-files", "*.py"], text=True, cwd=REPOSITORY)
     vague = [
         f"{name}: {line}"
@@ -65,6 +65,6 @@ def test_docstrings_name_their_subject() -> None:
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda path: str(path.relative_to(REPOSITORY)))
-def test_except_is_not_but_for(page: Path) -> None:
+def test_except_is_not_but_for(page):
     if "decisions" not in page.parts:
         assert " but for " not in page.read_text()

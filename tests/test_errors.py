@@ -19,12 +19,12 @@ ERRORS = [
 
 
 @pytest.mark.parametrize("error", ERRORS, ids=lambda error: type(error).__name__)
-def test_an_error_survives_pickling(error: RnaError) -> None:
+def test_an_error_survives_pickling(error):
     copy = pickle.loads(pickle.dumps(error))
     assert type(copy) is type(error) and str(copy) == str(error)
     assert vars(copy) == vars(error)
 
 
 @pytest.mark.parametrize("code", Code)
-def test_a_code_survives_pickling(code: Code) -> None:
+def test_a_code_survives_pickling(code):
     assert pickle.loads(pickle.dumps(code)) is code

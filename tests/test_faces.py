@@ -32,7 +32,7 @@ def homes(face: str) -> dict[str, str]:
 
 
 @pytest.mark.parametrize("face", FACES)
-def test_every_name_has_a_home(face: str) -> None:
+def test_every_name_has_a_home(face):
     package = importlib.import_module(face)
     assert sorted(homes(face)) == sorted(package.__all__)
     for name, module in homes(face).items():
@@ -41,7 +41,7 @@ def test_every_name_has_a_home(face: str) -> None:
 
 
 @pytest.mark.parametrize("face", FACES)
-def test_no_name_is_that_of_a_module(face: str) -> None:
+def test_no_name_is_that_of_a_module(face):
     """It would become the module as soon as something imports that."""
     spec = find_spec(face)
     assert spec is not None and spec.origin is not None
@@ -50,7 +50,7 @@ def test_no_name_is_that_of_a_module(face: str) -> None:
 
 
 @pytest.mark.parametrize("face", FACES)
-def test_an_unknown_name_is_an_error(face: str) -> None:
+def test_an_unknown_name_is_an_error(face):
     package = importlib.import_module(face)
     with pytest.raises(AttributeError, match=f"No {face} attribute lode"):
         _ = package.lode
@@ -58,13 +58,13 @@ def test_an_unknown_name_is_an_error(face: str) -> None:
         exec(f"from {face} import lode")
 
 
-def test_classes_are_pickled_by_their_own_module() -> None:
+def test_classes_are_pickled_by_their_own_module():
     from rna_sdk.package import Mesh
 
     assert pickle.loads(pickle.dumps(Mesh)) is Mesh
 
 
 @pytest.mark.parametrize("face", FACES)
-def test_a_face_loads_nothing_by_itself(face: str) -> None:
+def test_a_face_loads_nothing_by_itself(face):
     code = f"import sys, {face}\nassert not {{'numpy', 'numba', 'pydantic'}} & set(sys.modules)"
     subprocess.run([sys.executable, "-c", code], check=True)

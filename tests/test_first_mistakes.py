@@ -2,7 +2,6 @@
 
 import tomllib
 from importlib import import_module
-from pathlib import Path
 
 import pytest
 
@@ -27,13 +26,13 @@ MISTAKES = [  # what is typed, the exit status, a part of the last line
 
 @pytest.mark.parametrize(("typed", "status", "message"), MISTAKES, ids=[m[0] for m in MISTAKES])
 def test_a_mistake_says_what_to_do(
-    typed: str,
-    status: int,
-    message: str,
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+    typed,
+    status,
+    message,
+    tmp_path,
+    capsys,
+    monkeypatch,
+):
     monkeypatch.chdir(tmp_path)
     for name in ("helmet.glb", "toy.rna", "scene.yaml"):
         (tmp_path / name).write_bytes(b"")

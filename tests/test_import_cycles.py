@@ -117,18 +117,18 @@ def whole() -> dict[str, set[str]]:
     return {name: behind_faces(name, path, set(FILES)) for name, path in FILES.items()}
 
 
-def test_there_are_none() -> None:
+def test_there_are_none():
     assert len(whole()) > 400
     assert cycle(whole()) == []
 
 
-def test_the_longest_chain_is_short() -> None:
+def test_the_longest_chain_is_short():
     """A face ends a chain: an importer need not know the modules behind it."""
     longest = longest_chain({name: imports(name, path, set(FILES)) for name, path in FILES.items()})
     assert len(longest) <= LONGEST, longest
 
 
-def test_rooms_of_the_renderer_have_an_order() -> None:
+def test_rooms_of_the_renderer_have_an_order():
     """Folders of rna_render, the modules outside of which (`conformance_reader`) are above them."""
     rooms: dict[str, set[str]] = {}
     for name, targets in whole().items():
@@ -139,7 +139,7 @@ def test_rooms_of_the_renderer_have_an_order() -> None:
     assert cycle(rooms) == []
 
 
-def test_folders_are_small() -> None:
+def test_folders_are_small():
     folders = Counter(path.parent for path in FILES.values())
     assert {str(path): count for path, count in folders.items() if count > MOST_FILES} == {}
 
@@ -156,28 +156,28 @@ def test_folders_are_small() -> None:
         ("def f():\n    import a.b", set()),
     ],
 )
-def test_what_counts_as_an_import(text: str, expected: set[str], tmp_path: Path) -> None:
+def test_what_counts_as_an_import(text, expected, tmp_path):
     path = tmp_path / "d.py"
     path.write_text(text)
     assert imports("a.d", path, {"a", "a.b", "a.d"}) == expected
 
 
-def test_imports_in_functions_make_cycles(tmp_path: Path) -> None:
+def test_imports_in_functions_make_cycles(tmp_path):
     path = tmp_path / "d.py"
     path.write_text("class C:\n    def f(self):\n        if self:\n            import a.b")
     assert imports("a.d", path, {"a.b", "a.d"}, late=True) == {"a.b"}
 
 
-def test_a_cycle_is_found() -> None:
+def test_a_cycle_is_found():
     graph = {"a": {"b"}, "b": {"c"}, "c": {"b"}, "d": set()}
     assert cycle(graph) == ["b", "c"]
 
 
-def test_the_longest_chain_is_found() -> None:
+def test_the_longest_chain_is_found():
     assert longest_chain({"a": {"b", "d"}, "b": {"d"}, "c": set(), "d": set()}) == ["a", "b", "d"]
 
 
-def test_what_is_behind_a_face() -> None:
+def test_what_is_behind_a_face():
     path = FILES["rna_gpu.loading"]
     assert "rna_sdk.runtime.asset" not in imports("rna_gpu.loading", path, set(FILES))
     assert "rna_sdk.package.package" in whole()["rna_gpu.loading"]

@@ -33,30 +33,30 @@ def branches(function: str) -> set[str]:
     return set(re.findall(r"\bkind == ([A-Z]+)\b", body[0]))
 
 
-def test_each_light_of_a_scene_has_a_file_that_makes_it() -> None:
+def test_each_light_of_a_scene_has_a_file_that_makes_it():
     assert {module.name for module in iter_modules(kinds.__path__)} - NO_TYPE == set(
         types(LightModel)
     )
 
 
-def test_each_kind_of_light_has_a_branch_in_the_shader() -> None:
+def test_each_kind_of_light_has_a_branch_in_the_shader():
     """An unknown kind would be taken for a sphere, and be black."""
     shapes = branches("shape_pdf") & branches("shape_point")
     assert branches("sample_light") | shapes | {"SPHERE"} == {k.upper() for k in kinds_of_lights()}
 
 
-def test_each_material_is_made() -> None:
+def test_each_material_is_made():
     """A kind that `make_material` does not know is an error of mypy, too."""
     made = [make_material(model(type=name)) for name, model in types(MaterialModel).items()]
     assert len(made) == 4
 
 
-def test_each_input_block_is_in_the_conformance_kit() -> None:
+def test_each_input_block_is_in_the_conformance_kit():
     """All readers are compared with the kit, so none can lack a block."""
     assert {name for tier in TIERS for name in tier.inputs} == set(INPUT_BLOCKS)
 
 
-def test_each_precision_is_known_to_every_reader() -> None:
+def test_each_precision_is_known_to_every_reader():
     assert set(get_args(PlanePrecision)) == set(PRECISIONS) == {tier.planes for tier in TIERS}
     used = {"int8" if tier.int8 else "float32" for tier in TIERS}
     assert used == set(get_args(DecoderPrecision))

@@ -3,7 +3,6 @@
 import socket
 import threading
 import time
-from collections.abc import Iterator
 from contextlib import ExitStack
 
 import pytest
@@ -19,7 +18,7 @@ SERVERS = {"rna-view": lambda: PageServer(Site()), "rna-run": lambda: PreviewSer
 
 
 @pytest.fixture(params=SERVERS)
-def server(request) -> Iterator[LocalServer]:
+def server(request):
     with answering(SERVERS[request.param]()) as server:
         yield server
 

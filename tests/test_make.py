@@ -9,7 +9,6 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
 
@@ -58,9 +57,7 @@ STAGES = (  # a file of the work folder that appears in each
 )
 
 
-def test_a_make_killed_in_each_of_its_stages_ends_with_a_package(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_make_killed_in_each_of_its_stages_ends_with_a_package(tmp_path, capsys):
     """Its goal ends the rounds; where none does, see tests/exporters/test_make.py."""
     source = write_scene(tmp_path, "ball", SCENE)
     out, work = tmp_path / "ball.rna", tmp_path / "ball.make"
@@ -86,9 +83,7 @@ def test_a_make_killed_in_each_of_its_stages_ends_with_a_package(
     rna_sdk.runtime.load(out)
 
 
-def test_a_goal_of_a_lamp_behind_glass_is_met(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_goal_of_a_lamp_behind_glass_is_met(tmp_path, capsys):
     """Two parts, emission, and rays that pass: all go through it. With --discard no rays stay."""
     source = write_scene(tmp_path, "lamp", LAMP)
     out = tmp_path / "lamp.rna"
@@ -101,9 +96,7 @@ def test_a_goal_of_a_lamp_behind_glass_is_met(
         assert len(tier.parts) == 2 and tier.parts[0].emission is not None
 
 
-def test_lights_and_steps_make_the_package_of_the_three_commands(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_lights_and_steps_make_the_package_of_the_three_commands(tmp_path, capsys):
     """Equal bytes in every entry; measured costs differ."""
     source = write_scene(tmp_path, "ball", SCENE)
     capturing = [*SMALL[: SMALL.index("--steps")], "--lights", 16]
@@ -124,7 +117,7 @@ def test_lights_and_steps_make_the_package_of_the_three_commands(
         assert one.manifest.provenance == other.manifest.provenance
 
 
-def test_half_a_minute_is_kept(tmp_path: Path) -> None:
+def test_half_a_minute_is_kept(tmp_path):
     """Steps beside rays and training may take 33 s, 3 of which are kept for the export.
 
     It takes 9 s on an idle machine, and longer on a slow one beside another test.

@@ -1,7 +1,5 @@
 """What does not fit into memory is refused before it is allocated."""
 
-from pathlib import Path
-
 import pytest
 
 from rna_render.image.film import Film
@@ -10,9 +8,7 @@ from rna_sdk.machine import memory
 
 
 @pytest.mark.skipif(memory._memory() is None, reason="the system does not tell its memory")
-def test_a_film_that_is_too_large_is_refused(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_film_that_is_too_large_is_refused(tmp_path, monkeypatch):
     limit = tmp_path / "memory.max"
     monkeypatch.setattr(memory, "_OF_CONTAINER", limit)
     for text in ("max\n", "1000000\n"):

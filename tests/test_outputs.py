@@ -10,7 +10,7 @@ from rna_sdk.files.atomic_file import write_atomically
 from rna_sdk.files.outputs import check_glb_name, check_outputs, check_package_name, check_writable
 
 
-def test_a_device_is_not_replaced_by_a_file(tmp_path: Path) -> None:
+def test_a_device_is_not_replaced_by_a_file(tmp_path):
     """Which the superuser could do, to /dev/null too."""
     os.mkfifo(tmp_path / "pipe")
     with pytest.raises(RnaError, match="pipe: cannot be written: it is a pipe or a device"):
@@ -20,7 +20,7 @@ def test_a_device_is_not_replaced_by_a_file(tmp_path: Path) -> None:
     assert (tmp_path / "pipe").is_fifo()
 
 
-def test_an_output_that_cannot_be_written_is_named(tmp_path: Path) -> None:
+def test_an_output_that_cannot_be_written_is_named(tmp_path):
     (tmp_path / "taken.exr").mkdir()
     with pytest.raises(RnaError, match=r"taken\.exr: cannot be written: it is a folder"):
         check_writable(tmp_path / "taken.exr")
@@ -33,7 +33,7 @@ def test_an_output_that_cannot_be_written_is_named(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("link", [None, "symlink_to", "hardlink_to"])
-def test_an_input_is_no_output_by_any_name(tmp_path: Path, link: str | None) -> None:
+def test_an_input_is_no_output_by_any_name(tmp_path, link):
     source = output = tmp_path / "s.glb"
     source.write_bytes(b"mine")
     if link is not None:
@@ -45,7 +45,7 @@ def test_an_input_is_no_output_by_any_name(tmp_path: Path, link: str | None) -> 
     assert source.read_bytes() == b"mine"
 
 
-def test_a_package_is_named_as_one() -> None:
+def test_a_package_is_named_as_one():
     check_package_name(Path("toy.rna"))
     check_package_name(Path("toy.GLB"))
     for name in ("toy", "toy.gltf"):

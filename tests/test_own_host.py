@@ -3,7 +3,6 @@
 import re
 import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -21,7 +20,7 @@ PAGE = REPOSITORY / "docs" / "your-own-host.md"
 
 
 @pytest.fixture(scope="module")
-def names() -> dict:
+def names():
     """What the page's code leaves behind."""
     result: dict = {}
     blocks = re.findall(r"```python\n(.*?)```", PAGE.read_text(), re.DOTALL)
@@ -35,25 +34,25 @@ def mean(image) -> float:
     return float(np.asarray(image, float).mean())
 
 
-def test_a_shadow_map_has_the_nearby_light_of_rays(names: dict) -> None:
+def test_a_shadow_map_has_the_nearby_light_of_rays(names):
     by_rays, by_map = names["by_rays"], names["by_map"]
     assert by_rays == pytest.approx(by_map, abs=0.12) and by_map.std() > 0.1
     assert by_rays.mean(axis=0) == pytest.approx(by_map.mean(axis=0), abs=0.02)
 
 
-def test_the_toy_is_in_the_picture(names: dict) -> None:
+def test_the_toy_is_in_the_picture(names):
     seen = np.asarray(names["right"]).any(axis=2)
     assert 0.15 < seen.mean() < 0.7
 
 
-def test_breaking_the_rule_shows(names: dict) -> None:
+def test_breaking_the_rule_shows(names):
     """An asset that blocks its own light is dark from behind; without a ray light leaks."""
     right = mean(names["by_the_rule"])
     assert mean(names["asset_blocks_itself"]) < 0.6 * right
     assert mean(names["no_ray"]) > 1.1 * right
 
 
-def test_its_visibility_is_the_renderers(names: dict) -> None:
+def test_its_visibility_is_the_renderers(names):
     mesh, b = names["mesh"], np.float32(names["b"][..., 0])
     points = SurfacePoints.of(mesh, np.uint32(names["triangle"]), b[:, 1], b[:, 2])
     wi = names["unit"](np.random.default_rng(1).normal(size=points.x.shape))
@@ -63,7 +62,7 @@ def test_its_visibility_is_the_renderers(names: dict) -> None:
     assert (free == blocked).mean() < 0.002  # edges and outlines, by rounding
 
 
-def test_its_strands_are_the_renderers(names: dict) -> None:
+def test_its_strands_are_the_renderers(names):
     """What rays hit, where, and what lies in shadow, against Embree; ties at joints differ."""
     scene, hits = PartsScene([names["curves"]]), len(names["k"])
     eye, views = names["eye"], names["views"]
@@ -80,7 +79,7 @@ def test_its_strands_are_the_renderers(names: dict) -> None:
     assert (free == names["in_shadow"]).mean() < 0.1
 
 
-def test_lobes_are_looked_up_in_a_sky(names: dict, tmp_path: Path) -> None:
+def test_lobes_are_looked_up_in_a_sky(names, tmp_path):
     """A sky of one colour is the sum of the amplitudes; another adds light where lobes look up."""
     with Package.open(REPOSITORY / "examples" / "quickstart" / "toy.rna") as package:
         part = package.manifest.tiers[0].parts[0]
@@ -97,13 +96,13 @@ def test_lobes_are_looked_up_in_a_sky(names: dict, tmp_path: Path) -> None:
     assert np.corrcoef(up, above)[0, 1] > 0.5
 
 
-def test_a_bent_asset_differs_a_little(names: dict) -> None:
+def test_a_bent_asset_differs_a_little(names):
     at_rest, bent = names["again"][0], names["bent_visible"]
     assert bent.shape == at_rest.shape
     assert 0.01 < np.abs(bent - at_rest).mean() / at_rest.mean() < 0.5
 
 
-def test_the_example_of_motion_makes_a_picture(tmp_path: Path) -> None:
+def test_the_example_of_motion_makes_a_picture(tmp_path):
     """The toy hangs down on both sides, as the bend has it."""
     out = tmp_path / "bent.png"
     command = [sys.executable, "examples/hosts/motion.py", str(out)]

@@ -27,7 +27,7 @@ def names(folder: Path) -> list[str]:
     return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*"))
 
 
-def test_a_folder_of_others_is_refused_and_stays(tmp_path: Path) -> None:
+def test_a_folder_of_others_is_refused_and_stays(tmp_path):
     for k in range(5):
         (tmp_path / f"{k}.txt").touch()
     before = names(tmp_path)
@@ -39,7 +39,7 @@ def test_a_folder_of_others_is_refused_and_stays(tmp_path: Path) -> None:
         pytest.fail("entered")
 
 
-def test_a_folder_of_another_command_is_refused(tmp_path: Path) -> None:
+def test_a_folder_of_another_command_is_refused(tmp_path):
     with owned(tmp_path, "rna-one"):
         (tmp_path / "result").touch()
     with pytest.raises(RnaError, match=r"found \.rna-one, result,"), owned(tmp_path, "rna-two"):
@@ -47,7 +47,7 @@ def test_a_folder_of_another_command_is_refused(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("folder", ["new", "a/b/new", "empty", "hidden", "own"])
-def test_a_folder_of_its_own_is_entered(tmp_path: Path, folder: str) -> None:
+def test_a_folder_of_its_own_is_entered(tmp_path, folder):
     path = tmp_path / folder
     if folder in ("empty", "hidden", "own"):
         path.mkdir()
@@ -59,7 +59,7 @@ def test_a_folder_of_its_own_is_entered(tmp_path: Path, folder: str) -> None:
     assert (path / ".rna-test").read_bytes() == b""
 
 
-def test_a_command_that_wrote_nothing_leaves_nothing(tmp_path: Path) -> None:
+def test_a_command_that_wrote_nothing_leaves_nothing(tmp_path):
     with pytest.raises(ValueError), owned(tmp_path / "new", "rna-test"):
         raise ValueError
     (tmp_path / "old").mkdir()
@@ -68,7 +68,7 @@ def test_a_command_that_wrote_nothing_leaves_nothing(tmp_path: Path) -> None:
     assert names(tmp_path) == ["old"]
 
 
-def test_only_what_is_named_is_deleted(tmp_path: Path) -> None:
+def test_only_what_is_named_is_deleted(tmp_path):
     work, elsewhere = tmp_path / "work", tmp_path / "elsewhere"
     elsewhere.mkdir()
     (elsewhere / "mine").touch()
@@ -85,7 +85,7 @@ def test_only_what_is_named_is_deleted(tmp_path: Path) -> None:
     assert names(tmp_path) == ["elsewhere", "elsewhere/mine"]
 
 
-def test_one_process_writes_and_kill_minus_9_frees_the_folder(tmp_path: Path) -> None:
+def test_one_process_writes_and_kill_minus_9_frees_the_folder(tmp_path):
     path = tmp_path / "work"
     command = [sys.executable, "-c", HOLDER, path]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as holder:

@@ -1,7 +1,6 @@
 """One thread takes one core: no pool of a library is as large as the machine."""
 
 import os
-from pathlib import Path
 from runpy import run_path
 
 import pytest
@@ -13,7 +12,7 @@ pytestmark = pytest.mark.skipif(
 )
 
 
-def test_workers_that_start_together_import_blender_on_different_cores() -> None:
+def test_workers_that_start_together_import_blender_on_different_cores():
     """On one core sixteen of them took 40 s."""
     few_cores = REPOSITORY / "exporters" / "rna_export" / "blender" / "few_cores.py"
     chosen = run_path(str(few_cores))["chosen"]
@@ -24,7 +23,7 @@ def test_workers_that_start_together_import_blender_on_different_cores() -> None
 
 
 @pytest.mark.blender
-def test_a_worker_has_all_cores_once_its_pools_are_small(tmp_path: Path) -> None:
+def test_a_worker_has_all_cores_once_its_pools_are_small(tmp_path):
     """Bound to one for good, the first workers of two commands would share it."""
     from rna_export.capture.blender_process.blender_env import find_python
     from rna_export.capture.blender_process.blender_process import Source

@@ -77,14 +77,14 @@ def private_names(
 
 
 @pytest.mark.parametrize("renderer", RENDERERS)
-def test_renderers_import_public_names_alone(renderer: str) -> None:
+def test_renderers_import_public_names_alone(renderer):
     files = sorted((REPOSITORY / "runtime" / renderer).rglob("*.py"))
     actual = {str(f): strangers(f.read_text(), RENDERERS[renderer]) for f in files}
     assert files and {file: names for file, names in actual.items() if names} == {}
 
 
 @pytest.mark.parametrize("folder", USERS)
-def test_other_packages_import_faces_of_renderers_alone(folder: str) -> None:
+def test_other_packages_import_faces_of_renderers_alone(folder):
     public = {"rna_render", "rna_render.scene", "rna_trace"}
     files = sorted((REPOSITORY / folder).rglob("*.py"))
     actual = {
@@ -95,13 +95,13 @@ def test_other_packages_import_faces_of_renderers_alone(folder: str) -> None:
 
 
 @pytest.mark.parametrize("folder", USERS)
-def test_no_exception_is_out_of_use(folder: str) -> None:
+def test_no_exception_is_out_of_use(folder):
     files = sorted((REPOSITORY / folder).rglob("*.py"))
     assert USERS[folder] <= {module for f in files for module, _ in imports(f.read_text())}
 
 
 @pytest.mark.parametrize("face", ["rna_render", "rna_render.scene", "rna_trace"])
-def test_faces_are_small(face: str) -> None:
+def test_faces_are_small(face):
     assert len(importlib.import_module(face).__all__) <= 20
 
 
@@ -115,7 +115,7 @@ def test_faces_are_small(face: str) -> None:
         "from rna_sdk.machine.compiled import compiled",
     ],
 )
-def test_other_imports_are_noticed(line: str) -> None:
+def test_other_imports_are_noticed(line):
     assert len(strangers(line, set())) == 1
 
 
@@ -128,12 +128,12 @@ def test_other_imports_are_noticed(line: str) -> None:
         ("import rna_trace.embree.kernels", 1),
     ],
 )
-def test_insides_of_renderers_are_noticed(line: str, count: int) -> None:
+def test_insides_of_renderers_are_noticed(line, count):
     public = {"rna_render", "rna_trace"}
     assert len(private_names(line, public, public, set())) == count
 
 
-def test_tests_of_the_product_need_no_benchmarks() -> None:
+def test_tests_of_the_product_need_no_benchmarks():
     """Except those of the pages that name commands of `rna-bench`."""
     own = [REPOSITORY / "tests" / name for name in ("bench", "frontier", "stability")]
     excepted = {"test_tutorials.py"}

@@ -5,7 +5,6 @@ import shlex
 import tomllib
 from collections.abc import Callable
 from importlib import import_module
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -21,7 +20,7 @@ PAGES = [path.relative_to(REPOSITORY) for path in (REPOSITORY / "docs").rglob("*
 README = (REPOSITORY / "README.md").read_text()
 
 
-def test_the_example_runs(tmp_path: Path) -> None:
+def test_the_example_runs(tmp_path):
     make_tiny_package(tmp_path / "tiny.rna")
     (code,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
     code, count = re.subn(
@@ -49,7 +48,7 @@ def main_of(command: str) -> Callable[[list[str]], int]:
     return main
 
 
-def test_its_commands_run_in_their_order(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_its_commands_run_in_their_order(tmp_path, monkeypatch):
     """Word for word, with a small package and images in the place of what takes long.
 
     tests/test_make.py runs rna-make.
@@ -76,24 +75,24 @@ def test_its_commands_run_in_their_order(tmp_path: Path, monkeypatch: pytest.Mon
 
 
 @pytest.mark.parametrize("page", ["README.md", "CONTRIBUTING.md", *map(str, PAGES)])
-def test_nothing_is_installed_from_an_index_that_does_not_have_it(page: str) -> None:
+def test_nothing_is_installed_from_an_index_that_does_not_have_it(page):
     assert not re.search(r"pip install[^\n]*[ ']rna-sdk", (REPOSITORY / page).read_text())
 
 
-def test_its_commands_exist() -> None:
+def test_its_commands_exist():
     scripts = tomllib.loads((REPOSITORY / "pyproject.toml").read_text())["project"]["scripts"]
     commands = set(re.findall(r"\brna-[a-z]+\b", README)) - {"rna-sdk", *WEB_NAMES}
     assert commands <= set(scripts)
 
 
 @pytest.mark.parametrize("page", ["README.md", "CONTRIBUTING.md", *map(str, PAGES)])
-def test_links_lead_somewhere(page: str) -> None:
+def test_links_lead_somewhere(page):
     path = REPOSITORY / page
     links = re.findall(r"\]\((?!https?:)([^)#]+)", path.read_text())
     assert [link for link in links if not (path.parent / link).exists()] == []
 
 
-def test_the_first_look_is_at_a_package_of_the_clone_before_anything_is_baked() -> None:
+def test_the_first_look_is_at_a_package_of_the_clone_before_anything_is_baked():
     (first, *_) = re.findall(r"(?:^    .+\n)+", README, re.M)
     demo, look = (line.split("#")[0].split() for line in first.splitlines())
     assert demo == ["./scripts/demo"] and look[0] == ".venv/bin/rna-view"

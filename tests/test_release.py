@@ -36,7 +36,7 @@ def _run(*command: object, folder: Path) -> str:
 
 
 @pytest.fixture(scope="module")
-def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def files(tmp_path_factory):
     """The folder of the five files."""
     if shutil.which("npm") is None:
         pytest.skip("no Node; on Debian: apt-get install nodejs npm")
@@ -51,7 +51,7 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / "dist"
 
 
-def test_all_five_have_the_version(files: Path) -> None:
+def test_all_five_have_the_version(files):
     assert {path.name for path in files.iterdir()} == {
         f"rna_sdk-{VERSION}.tar.gz",
         f"rna_sdk-{VERSION}-py3-none-any.whl",
@@ -65,7 +65,7 @@ def test_all_five_have_the_version(files: Path) -> None:
     assert f"## [{VERSION}]" in (REPOSITORY / "CHANGELOG.md").read_text()
 
 
-def test_the_wheel_works_without_the_repository(files: Path, tmp_path: Path) -> None:
+def test_the_wheel_works_without_the_repository(files, tmp_path):
     """Dependencies are those of this environment, whose editable installation is not seen.
 
     scripts/release renders with it, too, which compiles kernels for minutes.
@@ -89,7 +89,7 @@ def test_the_wheel_works_without_the_repository(files: Path, tmp_path: Path) -> 
         assert VERSION in _run(empty / "bin" / command, "--version", folder=tmp_path)
 
 
-def test_the_npm_packages_are_installed_together(files: Path, tmp_path: Path) -> None:
+def test_the_npm_packages_are_installed_together(files, tmp_path):
     (tmp_path / "package.json").write_text('{"private": true, "type": "module"}')
     names = ("rna-three", "rna-viewer")
     packages = [files / f"{name}-{VERSION}.tgz" for name in names]

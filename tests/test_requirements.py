@@ -25,7 +25,7 @@ def imported(folder: str) -> set[str]:
     return names
 
 
-def test_the_base_requires_what_the_sdk_imports_and_no_more() -> None:
+def test_the_base_requires_what_the_sdk_imports_and_no_more():
     required = {pin.partition("==")[0].replace("-", "_") for pin in pins(PROJECT["dependencies"])}
     parts = {"llvmlite", "pydantic_core"}  # of numba and of pydantic
     others = set(sys.stdlib_module_names) | {"rna_sdk"} | parts
@@ -33,7 +33,7 @@ def test_the_base_requires_what_the_sdk_imports_and_no_more() -> None:
     assert required == actual
 
 
-def test_the_lowest_versions_are_what_the_lowest_test_installs() -> None:
+def test_the_lowest_versions_are_what_the_lowest_test_installs():
     command = [sys.executable, REPOSITORY / "scripts" / "lowest_versions.py"]
     said = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
     extras = PROJECT["optional-dependencies"].values()
@@ -46,22 +46,20 @@ def test_the_lowest_versions_are_what_the_lowest_test_installs() -> None:
     ("name", "fixed", "fault"),
     [("torch", (2, 10), "CVE-2026-24747"), ("pillow", (10, 3), "CVE-2023-4863 and CVE-2024-28219")],
 )
-def test_no_version_with_a_known_fault_is_admitted(
-    name: str, fixed: tuple[int, ...], fault: str
-) -> None:
+def test_no_version_with_a_known_fault_is_admitted(name, fixed, fault):
     groups = [PROJECT["dependencies"], *PROJECT["optional-dependencies"].values()]
     (lowest,) = (p for group in groups for p in pins(group) if p.startswith(f"{name}=="))
     assert tuple(map(int, lowest.partition("==")[2].split("."))) >= fixed, fault
 
 
-def test_the_sdist_takes_files_of_the_top_alone() -> None:
+def test_the_sdist_takes_files_of_the_top_alone():
     """A pattern without a slash in front matches in every folder."""
     targets = tomllib.loads((REPOSITORY / "pyproject.toml").read_text())["tool"]["hatch"]["build"]
     patterns = targets["targets"]["sdist"]["include"]
     assert [p for p in patterns if not (p[0] == "/" and (REPOSITORY / p[1:]).exists())] == []
 
 
-def test_the_lowest_test_names_files_that_exist() -> None:
+def test_the_lowest_test_names_files_that_exist():
     lines = (REPOSITORY / "scripts" / "test-lowest").read_text().splitlines()
     shown = lines[lines.index("tests=(") : lines.index(")") + 1]
     listed = [*shown, 'printf "%s\\n" "${tests[@]#--ignore=}"']
@@ -70,11 +68,11 @@ def test_the_lowest_test_names_files_that_exist() -> None:
     assert [path for path in paths if not (REPOSITORY / path).exists()] == []
 
 
-def test_a_marker_is_kept() -> None:
+def test_a_marker_is_kept():
     assert pins(["numpy>=2.0; python_version < '3.14'"]) == ["numpy==2.0; python_version < '3.14'"]
 
 
 @pytest.mark.parametrize("requirement", ["numpy", "numpy~=2.0", "numpy>=1.26,<3"])
-def test_another_form_is_refused(requirement: str) -> None:
+def test_another_form_is_refused(requirement):
     with pytest.raises(ValueError, match=r"expected name>=version"):
         pins([requirement])

@@ -78,9 +78,7 @@ def read_rgba(path: Path) -> np.ndarray:
 
 
 @pytest.mark.parametrize("kind", ASSETS)
-def test_from_a_scene_to_a_relit_image(
-    kind: str, tmp_path: Path, blender_python: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_from_a_scene_to_a_relit_image(kind, tmp_path, blender_python, capsys):
     asset, command = ASSETS[kind], partial(run_command, capsys)
     source = write_scene(tmp_path, "thing", asset.scene)
     rays, run, package = tmp_path / "thing.rays", tmp_path / "run", tmp_path / "thing.rna"

@@ -12,7 +12,7 @@ ROWS = re.findall(r"^\|[^|]*\|[^|]*\| ([^|]+) \| `([\w.]+)` \|$", PAGE, re.MULTI
 
 
 @pytest.mark.parametrize(("text", "name"), ROWS, ids=[name for _, name in ROWS])
-def test_limits_are_those_of_the_code(text: str, name: str) -> None:
+def test_limits_are_those_of_the_code(text, name):
     power, _, less = text.partition(" - ")
     base, _, exponent = power.partition("^")
     value = float(base) ** int(exponent or 1) - int(less or 0)
@@ -20,10 +20,10 @@ def test_limits_are_those_of_the_code(text: str, name: str) -> None:
     assert getattr(importlib.import_module(module), constant) == value
 
 
-def test_the_table_is_read() -> None:
+def test_the_table_is_read():
     assert len(ROWS) == len(re.findall(r"`rna_\w+(?:\.\w+)+\.MAX_\w+`", PAGE)) > 20
 
 
-def test_the_policy_at_the_root_leads_to_the_page() -> None:
+def test_the_policy_at_the_root_leads_to_the_page():
     policy = (REPOSITORY / "SECURITY.md").read_text()
     assert "(docs/security.md#report-a-fault)" in policy and "## Report a fault" in PAGE

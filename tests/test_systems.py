@@ -5,7 +5,6 @@ Ours are imported and run in a Python without what the other system lacks.
 
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 import yaml
@@ -52,12 +51,12 @@ with locked(Path(out) / "lock"):
 
 
 @pytest.mark.parametrize("system", ["win32", "darwin"])
-def test_readers_and_renderers_import_and_read_there(system: str, tmp_path: Path) -> None:
+def test_readers_and_renderers_import_and_read_there(system, tmp_path):
     command = [sys.executable, "-c", _SCRIPT, system, str(TOY), str(tmp_path)]
     subprocess.run(command, check=True, cwd=REPOSITORY)
 
 
-def test_names_of_files_are_good_on_windows() -> None:
+def test_names_of_files_are_good_on_windows():
     """No names that differ by case alone, reserved ones, or characters that it refuses."""
     listed = subprocess.run(["git", "ls-files"], cwd=REPOSITORY, capture_output=True, text=True)
     paths = listed.stdout.splitlines() or pytest.skip("not a clone")
@@ -70,7 +69,7 @@ def test_names_of_files_are_good_on_windows() -> None:
         assert not any(part.endswith((" ", ".")) for part in parts), path
 
 
-def test_the_workflow_runs_what_is_here() -> None:
+def test_the_workflow_runs_what_is_here():
     text = (REPOSITORY / ".github" / "workflows" / "tests.yml").read_text()
     jobs = yaml.safe_load(text)["jobs"]
     assert {job["runs-on"] for job in jobs.values()} >= {"ubuntu-24.04", "${{ matrix.system }}"}

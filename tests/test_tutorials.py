@@ -73,9 +73,7 @@ def commands(page: str) -> list[str]:
     return re.findall(r"^    (rna-.*)$", re.sub(r" \\\n +", " ", text), re.MULTILINE)
 
 
-def test_choosing_a_tier_prints_what_it_says(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_choosing_a_tier_prints_what_it_says(tmp_path, monkeypatch):
     make_tiny_package(tmp_path / "toy.rna", *map(record, RECORDS))
     monkeypatch.chdir(tmp_path)
     names: dict[str, object] = {}
@@ -90,7 +88,7 @@ def test_choosing_a_tier_prints_what_it_says(
 @pytest.mark.parametrize(
     "command", [pytest.param(c, id=f"{p}: {c[:40]}") for p in PAGES for c in commands(p)]
 )
-def test_commands_are_good_usage(command: str) -> None:
+def test_commands_are_good_usage(command):
     name, *arguments = shlex.split(command)
     if name == "rna-bench":
         parser = parser_of(COMMANDS[arguments.pop(0)])

@@ -1,12 +1,10 @@
 """`rna-bench assets`: errors as the commands of the SDK say them."""
 
 import json
-from pathlib import Path
 
 import pytest
 
 from rna_bench.cli import main
-from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.export.package_build import build_package
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.training_run import Run, train
@@ -15,7 +13,7 @@ from tests.exporters.synthetic import make_dataset, tiny
 
 
 @pytest.fixture(scope="module")
-def part(tmp_path_factory: pytest.TempPathFactory) -> DatasetPart:
+def part(tmp_path_factory):
     """A dataset; beside it a training, `run`, and its package, `ball.rna`."""
     folder = tmp_path_factory.mktemp("words")
     part = make_dataset(folder / "ball.rays")
@@ -25,9 +23,7 @@ def part(tmp_path_factory: pytest.TempPathFactory) -> DatasetPart:
     return part
 
 
-def test_the_table_has_what_packages_record_and_the_same_measured_anew(
-    part: DatasetPart, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_table_has_what_packages_record_and_the_same_measured_anew(part, tmp_path, capsys):
     package, out = part.folder.parent / "ball.rna", tmp_path / "assets.json"
     assert main(["assets", str(package), "--out", str(out)]) == 0
     (recorded,) = json.loads(out.read_text())["assets"]
@@ -42,7 +38,7 @@ def test_the_table_has_what_packages_record_and_the_same_measured_anew(
     assert sum(lit) == measured["images"] == 2
 
 
-def test_a_dataset_for_each_package(part: DatasetPart, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_dataset_for_each_package(part, capsys):
     package = str(part.folder.parent / "ball.rna")
     assert main(["assets", package, package, "--datasets", str(part.folder)]) == 1
     assert "found 1 datasets, 2 packages; expected one for each" in capsys.readouterr().err

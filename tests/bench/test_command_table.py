@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from rna_bench.cli import main, parser_of
-from rna_bench.commands import COMMANDS, Command
+from rna_bench.commands import COMMANDS
 from tests.conftest import REPOSITORY
 
 PACKAGE = REPOSITORY / "benchmarks" / "rna_bench"
@@ -27,7 +27,7 @@ def imported(path: Path) -> set[str]:
 
 
 @pytest.mark.parametrize("command", COMMANDS.values(), ids=COMMANDS)
-def test_help_tells_what_is_measured_and_every_default(command: Command) -> None:
+def test_help_tells_what_is_measured_and_every_default(command):
     parser = parser_of(command)
     output = parser.format_help()
     assert command.sentence in output and command.sentence.endswith((".", "?"))
@@ -41,7 +41,7 @@ def test_help_tells_what_is_measured_and_every_default(command: Command) -> None
             assert "default" in formatter._get_help_string(action), action.option_strings
 
 
-def test_help_lists_every_command(capsys: pytest.CaptureFixture[str]) -> None:
+def test_help_lists_every_command(capsys):
     with pytest.raises(SystemExit) as ended:
         main(["--help"])
     output = capsys.readouterr().out
@@ -52,14 +52,14 @@ def test_help_lists_every_command(capsys: pytest.CaptureFixture[str]) -> None:
     )
 
 
-def test_an_unknown_command_is_bad_usage(capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_unknown_command_is_bad_usage(capsys):
     with pytest.raises(SystemExit) as ended:
         main(["speed"])
     assert ended.value.code == 2
     assert "invalid choice: 'speed'" in capsys.readouterr().err
 
 
-def test_documents_name_commands_that_exist() -> None:
+def test_documents_name_commands_that_exist():
     pages = [
         REPOSITORY / "README.md",
         *(REPOSITORY / "docs").glob("*.md"),
@@ -75,7 +75,7 @@ def test_documents_name_commands_that_exist() -> None:
     assert not any("python benchmarks/" in page.read_text() for page in pages)
 
 
-def test_no_module_imports_itself_by_way_of_others() -> None:
+def test_no_module_imports_itself_by_way_of_others():
     files = {
         "rna_bench." + ".".join(path.relative_to(PACKAGE).with_suffix("").parts): path
         for path in PACKAGE.rglob("*.py")
@@ -84,7 +84,7 @@ def test_no_module_imports_itself_by_way_of_others() -> None:
     assert len(list(TopologicalSorter(graph).static_order())) >= len(files)  # raises CycleError
 
 
-def test_scripts_stand_in_the_package_alone() -> None:
+def test_scripts_stand_in_the_package_alone():
     assert not list((REPOSITORY / "benchmarks").glob("*.py"))
     runnable = {p.name for p in PACKAGE.rglob("*.py") if "__main__" in p.read_text()}
     assert runnable == PROGRAMS

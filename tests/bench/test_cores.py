@@ -17,6 +17,6 @@ pytestmark = pytest.mark.skipif(
     "work",
     ["trainer", "rna-run", "evaluate", "lobes", pytest.param("capture", marks=pytest.mark.blender)],
 )
-def test_one_thread_takes_one_core(work: str) -> None:
+def test_one_thread_takes_one_core(work):
     (row,) = measure(work, [1], [], 2.0)["threads"]
     assert row["cores_a_thread"] <= MOST

@@ -1,7 +1,6 @@
 """`rna-bench gain`: the table of measured assets."""
 
 import json
-from pathlib import Path
 
 import pytest
 
@@ -14,7 +13,7 @@ from tests.exporters.test_gain import known, pilot
 __all__ = ["known"]
 
 
-def test_the_table_has_the_measured_speeds_and_an_error_below_3() -> None:
+def test_the_table_has_the_measured_speeds_and_an_error_below_3():
     """After new results of `rna-bench scenes`: `rna-bench gain NAME --scenes RESULT`."""
     assets = table_of()
     for name, one in assets.items():
@@ -23,7 +22,7 @@ def test_the_table_has_the_measured_speeds_and_an_error_below_3() -> None:
     assert max(max(off, 1.0 / off) for off in left_out(assets).values()) < 3.0
 
 
-def test_rna_bench_gain_keeps_a_pilot_for_new_speeds(known: None, tmp_path: Path, capsys) -> None:
+def test_rna_bench_gain_keeps_a_pilot_for_new_speeds(known, tmp_path, capsys):
     table, result = tmp_path / "table.json", tmp_path / "scenes.json"
     rows = [{"samples": 16, "equal_error": {"times_as_fast": 4.0}}, {"samples": 64}]
     result.write_text(json.dumps({"scenes": {key: {"ours": rows} for key in SCENES}}))

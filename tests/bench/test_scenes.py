@@ -26,12 +26,12 @@ SOURCE = TOY.with_suffix(".py")
 
 
 @pytest.fixture(scope="module")
-def stage() -> Stage:
+def stage():
     asset = load(TOY, threads=1)
     return Stage.of(asset, TOY, None, turn_deg=0.0, resolution=(48, 32))
 
 
-def test_the_wait_for_a_flip_lies_between_samples() -> None:
+def test_the_wait_for_a_flip_lies_between_samples():
     curve = [{"seconds": t, "flip": f} for t, f in ((1.0, 0.08), (4.0, 0.04), (16.0, 0.02))]
     assert wait_for(0.04 * 2**0.5, curve).seconds == pytest.approx(2.0)
     assert str(wait_for(0.1, curve)) == "at most 1.00 s"
@@ -39,16 +39,14 @@ def test_the_wait_for_a_flip_lies_between_samples() -> None:
     assert str(wait_for(0.01, curve)) == "not reached, 0.020"
 
 
-def test_the_sooner_of_raw_and_denoised_counts() -> None:
+def test_the_sooner_of_raw_and_denoised_counts():
     raw, denoised = Wait(3.0, False, 0.02), Wait(2.0, True, 0.04)
     assert sooner([raw, denoised]) == denoised
     assert sooner([raw, Wait(None, False, 0.06)]) == raw
     assert sooner([Wait(None, False, 0.06), Wait(None, False, 0.05)]).best == 0.05
 
 
-def test_waits_of_results_are_told_and_drawn(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_waits_of_results_are_told_and_drawn(tmp_path, capsys):
     result, chart = ROOT / "benchmarks/results/scenes-curls.json", tmp_path / "chart.svg"
     assert main(["time-to-flip", str(result), "--targets", "0.15", "0.1", "--out", str(chart)]) == 0
     output = capsys.readouterr().out
@@ -58,7 +56,7 @@ def test_waits_of_results_are_told_and_drawn(
     assert "found no result of `rna-bench scenes`, expected one" in capsys.readouterr().err
 
 
-def test_equal_error_is_exact_where_error_and_time_are_as_assumed() -> None:
+def test_equal_error_is_exact_where_error_and_time_are_as_assumed():
     cycles = [
         {"samples": n, "seconds": 1.0 + 0.5 * n, "psnr": -10 * np.log10(0.08 / n)}
         for n in (4, 8, 16)
@@ -71,7 +69,7 @@ def test_equal_error_is_exact_where_error_and_time_are_as_assumed() -> None:
     assert far["extrapolated"]
 
 
-def test_brightness_is_that_of_the_asset_in_each_channel() -> None:
+def test_brightness_is_that_of_the_asset_in_each_channel():
     asset = np.zeros((4, 6), bool)
     asset[1:3, 2:5] = True
     halves = np.stack([np.full((4, 6, 3), 0.5), np.full((4, 6, 3), 1.5)])
@@ -79,7 +77,7 @@ def test_brightness_is_that_of_the_asset_in_each_channel() -> None:
     assert Beside.of(halves, asset).brightness(image) == pytest.approx([0.9, 1.0, 1.2])
 
 
-def test_instances_near_and_far_stand_apart(stage: Stage, tmp_path: Path) -> None:
+def test_instances_near_and_far_stand_apart(stage, tmp_path):
     scene = scenes(stage, [], tmp_path)[NEAR_AND_FAR]
     centre = np.array([*stage.centre, 1.0])
     middles = np.array([(world_from_object(a.transform) @ centre)[:3] for a in scene.assets])
@@ -90,7 +88,7 @@ def test_instances_near_and_far_stand_apart(stage: Stage, tmp_path: Path) -> Non
     assert distance.max() > 5.0 * distance.min()
 
 
-def test_the_asset_fills_the_share_of_the_picture_that_is_asked_for(stage: Stage) -> None:
+def test_the_asset_fills_the_share_of_the_picture_that_is_asked_for(stage):
     fitted = filled(replace(stage, resolution=(160, 90)), 1 / 3)
     near, far = (OurScene(s.scene()).channels(4)["A"].mean() for s in (fitted, stage))
     assert near == pytest.approx(1 / 3, rel=0.03) and far < 0.2
@@ -98,7 +96,7 @@ def test_the_asset_fills_the_share_of_the_picture_that_is_asked_for(stage: Stage
         filled(stage, 1.0)
 
 
-def test_flip_is_of_the_asset_and_not_of_what_is_around_it() -> None:
+def test_flip_is_of_the_asset_and_not_of_what_is_around_it():
     asset = np.zeros((128, 192), bool)
     asset[32:96, 48:144] = True
     reference = np.full((128, 192, 3), 0.4, np.float32)
@@ -108,7 +106,7 @@ def test_flip_is_of_the_asset_and_not_of_what_is_around_it() -> None:
     assert beside.flip(background).mean < 0.1 < 0.4 < beside.flip(inside).mean
 
 
-def test_what_is_kept_was_made_with_the_same_settings(tmp_path: Path) -> None:
+def test_what_is_kept_was_made_with_the_same_settings(tmp_path):
     made: list[int] = []
 
     def make() -> dict[str, int]:
@@ -137,9 +135,7 @@ def roughness(image: np.ndarray) -> float:
 
 
 @pytest.mark.blender
-def test_a_tiny_run(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_tiny_run(tmp_path, monkeypatch, capsys):
     assert run(tmp_path, "--references-only", "--floor-samples", "9") == 0
     assert [path.name for path in (tmp_path / "references").glob("*.safetensors")] == [
         "lamp.safetensors"
@@ -167,7 +163,7 @@ def test_a_tiny_run(
     assert "floor_samples 8, now 9): choose another --out, or --again" in capsys.readouterr().err
 
 
-def test_bad_input_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_bad_input_is_one_line(tmp_path, capsys):
     assert run(tmp_path, "--scenes", "moon") == 1
     assert capsys.readouterr().err == (
         "error: --scenes: found moon; expected of lamp, wall, near-and-far\n"
@@ -177,6 +173,6 @@ def test_bad_input_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str
 
 
 @pytest.mark.blender
-def test_an_unknown_environment_is_one_line() -> None:
+def test_an_unknown_environment_is_one_line():
     with pytest.raises(SceneError, match="found moon; expected a file or one of city, courtyard"):
         find_environment("moon")

@@ -2,7 +2,6 @@
 
 import json
 import subprocess
-from pathlib import Path
 
 import pytest
 
@@ -12,7 +11,7 @@ from rna_bench.stamp import commit, cpu_features, stamp
 
 
 @pytest.fixture
-def checkout(tmp_path: Path) -> Path:
+def checkout(tmp_path):
     """A repository with one commit."""
     for command in (
         ["init", "--quiet"],
@@ -24,18 +23,18 @@ def checkout(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def test_changes_are_told(checkout: Path) -> None:
+def test_changes_are_told(checkout):
     clean = commit(checkout)
     assert len(clean) == 12 and int(clean, 16) >= 0
     (checkout / "new.txt").write_text("")
     assert commit(checkout) == f"{clean}+changes"
 
 
-def test_without_a_repository_the_commit_is_unknown(tmp_path: Path) -> None:
+def test_without_a_repository_the_commit_is_unknown(tmp_path):
     assert commit(tmp_path) == "unknown"
 
 
-def test_the_stamp_says_what_ran_where(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_stamp_says_what_ran_where(monkeypatch):
     monkeypatch.setenv("NUMBA_CPU_NAME", "")
     actual = stamp(
         ["scenes", str(ROOT / "examples" / "a.rna"), "/elsewhere/b c.py", "--samples", "4"]
@@ -47,12 +46,12 @@ def test_the_stamp_says_what_ran_where(monkeypatch: pytest.MonkeyPatch) -> None:
     }
 
 
-def test_restricted_processors_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_restricted_processors_are_told(monkeypatch):
     monkeypatch.setenv("NUMBA_CPU_NAME", "haswell")
     assert cpu_features() == ["restricted to haswell"]
 
 
-def test_results_are_stamped_and_written_whole(tmp_path: Path) -> None:
+def test_results_are_stamped_and_written_whole(tmp_path):
     path = tmp_path / "new" / "a.json"
     write_results(path, {"commit": "1"}, {"rate": 2.0})
     assert list(json.loads(path.read_text())) == ["stamp", "rate"]

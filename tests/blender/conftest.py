@@ -4,7 +4,6 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
 
@@ -37,7 +36,7 @@ os._exit(status)  # bpy may crash while it unloads
 
 
 @pytest.fixture(scope="session")
-def extension_zip(tmp_path_factory) -> Path:
+def extension_zip(tmp_path_factory):
     """The extension, as the script makes it."""
     out = tmp_path_factory.mktemp("extension") / "rna_sdk.zip"
     subprocess.run([REPOSITORY / "scripts" / "blender-extension", out], check=True)
@@ -45,7 +44,7 @@ def extension_zip(tmp_path_factory) -> Path:
 
 
 @pytest.fixture
-def run_in_blender(blender_python: Path, extension_zip: Path, tmp_path: Path) -> RunInBlender:
+def run_in_blender(blender_python, extension_zip, tmp_path):
     """Runs the text of a script where the extension is installed; returns what it printed.
 
     The script has `bpy`, `scene` (empty) and `refused`, which prints why an operator fails.

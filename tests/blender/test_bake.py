@@ -3,12 +3,10 @@
 import json
 import runpy
 import sys
-from pathlib import Path
 
 import pytest
 
 from rna_sdk.commands.error_words import error_in_words
-from tests.blender.conftest import RunInBlender
 from tests.conftest import REPOSITORY
 
 pytestmark = pytest.mark.blender
@@ -98,9 +96,7 @@ def printed_value(printed: str, word: str) -> str:
     return printed.partition(f"\n{word} ")[2].splitlines()[0]
 
 
-def test_a_bake_is_started_stopped_continued_and_replaces_its_original(
-    run_in_blender: RunInBlender, tmp_path: Path
-) -> None:
+def test_a_bake_is_started_stopped_continued_and_replaces_its_original(run_in_blender, tmp_path):
     stand_in = tmp_path / "python"
     stand_in.write_text(STAND_IN)
     stand_in.chmod(0o755)
@@ -204,9 +200,7 @@ print("LEFT", job.folder.exists())
 """
 
 
-def test_a_finished_bake_goes_on_for_more_minutes(
-    run_in_blender: RunInBlender, tmp_path: Path
-) -> None:
+def test_a_finished_bake_goes_on_for_more_minutes(run_in_blender, tmp_path):
     stand_in = tmp_path / "python"
     stand_in.write_text(GOES_ON)
     stand_in.chmod(0o755)
@@ -313,8 +307,8 @@ print("NOTHING", not folder.exists(), not (here / "RAN").exists())
 
 
 def test_a_strangers_file_chooses_neither_folders_nor_sources_nor_commands(
-    run_in_blender: RunInBlender, tmp_path: Path
-) -> None:
+    run_in_blender, tmp_path
+):
     stand_in = tmp_path / "python"
     stand_in.write_text("#!/bin/sh\nexit 1\n")
     stand_in.chmod(0o755)
@@ -349,13 +343,13 @@ print("SAFE", not pathlib.Path("RAN").exists(), len(bpy.context.scene.objects))
 """
 
 
-def test_a_capture_runs_no_script_of_a_blend_file(run_in_blender: RunInBlender) -> None:
+def test_a_capture_runs_no_script_of_a_blend_file(run_in_blender):
     """Whatever the user's preferences for files that the user opens."""
     folder = str(REPOSITORY / "exporters" / "rna_export" / "blender")
     assert printed_value(run_in_blender(AUTORUN.format(folder=folder)), "SAFE") == "True 1"
 
 
-def test_the_options_of_a_bake_are_of_rna_make() -> None:
+def test_the_options_of_a_bake_are_of_rna_make():
     from rna_export.make.rna_make import parser
 
     path = REPOSITORY / "exporters" / "blender_extension" / "bake" / "options.py"

@@ -2,7 +2,6 @@
 
 import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 
@@ -13,7 +12,7 @@ from tests.package.carriers import make_carrier
 UNPACK = REPOSITORY / "exporters" / "blender_extension" / "sdk_side" / "unpack.py"
 
 
-def test_a_carrier_is_imported_as_its_package(tmp_path: Path) -> None:
+def test_a_carrier_is_imported_as_its_package(tmp_path):
     package = make_tiny_package(tmp_path / "tiny.rna")
     carrier = make_carrier(package, tmp_path / "tiny.glb")
     arrays = []

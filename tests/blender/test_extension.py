@@ -3,7 +3,6 @@
 import json
 import re
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,7 +12,6 @@ from rna_render.command.rna_run import main as rna_run
 from rna_render.image.images import read_exr
 from rna_sdk.motion import open_motion
 from rna_sdk.package import Package
-from tests.blender.conftest import RunInBlender
 from tests.conftest import REPOSITORY
 
 pytestmark = pytest.mark.blender
@@ -51,7 +49,7 @@ def write(name):
 """
 
 
-def test_an_imported_package_is_its_geometry(run_in_blender: RunInBlender) -> None:
+def test_an_imported_package_is_its_geometry(run_in_blender):
     printed = run_in_blender(
         STAGE
         + """
@@ -100,9 +98,7 @@ print("FOUND", json.dumps({
     assert min(actual["colours"]) > 0.1  # bricks of many colours
 
 
-def test_the_engine_and_rna_run_give_one_picture(
-    run_in_blender: RunInBlender, tmp_path: Path
-) -> None:
+def test_the_engine_and_rna_run_give_one_picture(run_in_blender, tmp_path):
     """Instances, a mesh of another shape, a mirrored one, a material, and the region."""
     printed = run_in_blender(
         STAGE
@@ -148,7 +144,7 @@ write("cut.exr")
         assert np.mean(cut[channel] == whole[channel][20:, 16:48]) > 0.99
 
 
-def test_mistakes_are_one_line_in_blender(run_in_blender: RunInBlender, tmp_path: Path) -> None:
+def test_mistakes_are_one_line_in_blender(run_in_blender, tmp_path):
     (tmp_path / "broken.rna").write_bytes(b"no package")
     printed = run_in_blender(
         STAGE
@@ -185,9 +181,7 @@ refused(bpy.ops.rna.bake)
         assert line in printed, printed
 
 
-def test_a_cancelled_render_keeps_what_it_has_and_leaves_no_process(
-    run_in_blender: RunInBlender, tmp_path: Path
-) -> None:
+def test_a_cancelled_render_keeps_what_it_has_and_leaves_no_process(run_in_blender, tmp_path):
     printed = run_in_blender(
         STAGE
         + """
@@ -214,7 +208,7 @@ print("LEFT", "rna_render.command.rna_run" in subprocess.run(
     assert read_exr(tmp_path / "stopped.exr")[0]["A"].max() == 1.0
 
 
-def test_frames_of_an_animation(run_in_blender: RunInBlender, tmp_path: Path) -> None:
+def test_frames_of_an_animation(run_in_blender, tmp_path):
     """Frames of an asset that moves to the right, posed by an armature."""
     printed = run_in_blender(
         STAGE
@@ -260,8 +254,8 @@ bpy.ops.render.render(animation=True)
 
 
 def test_an_asset_is_shown_in_a_browser_and_written_as_a_page(
-    run_in_blender: RunInBlender, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+    run_in_blender, tmp_path, monkeypatch
+):
     monkeypatch.setenv("BROWSER", "true")  # a program that does nothing
     printed = run_in_blender(
         STAGE
@@ -293,7 +287,7 @@ refused(bpy.ops.rna.write_web_page, filepath=os.path.abspath("."))
     assert (tmp_path / "page" / "index.html").is_file()
 
 
-def test_the_zip_has_the_same_bytes_each_time(extension_zip: Path, tmp_path: Path) -> None:
+def test_the_zip_has_the_same_bytes_each_time(extension_zip, tmp_path):
     import subprocess
 
     again = tmp_path / "again.zip"

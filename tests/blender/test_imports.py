@@ -22,7 +22,7 @@ FILES = sorted(EXTENSION.rglob("*.py"))
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(EXTENSION)))
-def test_a_file_imports_what_is_there(path) -> None:
+def test_a_file_imports_what_is_there(path):
     allowed = IN_BLENDER | (PUBLIC if path.parent.name == "sdk_side" else set())
     for node in ast.walk(ast.parse(path.read_text())):
         if isinstance(node, ast.Import):

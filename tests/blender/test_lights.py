@@ -6,8 +6,6 @@ import numpy as np
 import OpenEXR
 import pytest
 
-from tests.blender.conftest import RunInBlender
-
 pytestmark = pytest.mark.blender
 
 SCENE = """
@@ -132,9 +130,7 @@ GROUPS = {"bare": ("sun", "point", "spot", "sky"), "shaped": ("bulb", "long", "d
 
 
 @pytest.mark.parametrize("which", GROUPS)
-def test_both_engines_give_one_picture(
-    run_in_blender: RunInBlender, tmp_path: Path, which: str
-) -> None:
+def test_both_engines_give_one_picture(run_in_blender, tmp_path, which):
     printed = run_in_blender(f"which = {which!r}\n{SCENE}")
     assert "Warning: " not in printed, printed
     ours, cycles = (read_passes(tmp_path / f"{engine}.exr") for engine in ("RNA", "CYCLES"))

@@ -3,11 +3,9 @@
 import re
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 
-from tests.blender.conftest import RunInBlender
 from tests.conftest import REPOSITORY
 
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
@@ -16,9 +14,7 @@ BAKE = REPOSITORY / "exporters" / "blender_extension" / "sdk_side" / "bake.py"
 
 
 @pytest.mark.blender
-def test_the_python_of_the_page(
-    run_in_blender: RunInBlender, extension_zip: Path, tmp_path: Path
-) -> None:
+def test_the_python_of_the_page(run_in_blender, extension_zip, tmp_path):
     blocks = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
     environment = {
         "/home/you/rna-sdk/out/rna_sdk-0.1.0.zip": extension_zip,
@@ -52,7 +48,7 @@ def test_the_python_of_the_page(
     assert "SEEN toy" in printed
 
 
-def test_a_bake_in_an_environment_for_rendering_names_the_button(tmp_path: Path) -> None:
+def test_a_bake_in_an_environment_for_rendering_names_the_button(tmp_path):
     without = "import runpy, sys; sys.modules['torch'] = None; sys.argv.pop(0); "
     command = [sys.executable, "-c", f"{without}runpy.run_path(sys.argv[0], run_name='__main__')"]
     done = subprocess.run(

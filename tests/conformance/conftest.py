@@ -5,13 +5,12 @@ import importlib.util
 import io
 from collections.abc import Callable
 from dataclasses import dataclass, fields
-from pathlib import Path
 from types import ModuleType
 
 import numpy as np
 import pytest
 
-from rna_sdk.conformance.kit import Kit, load_kit
+from rna_sdk.conformance.kit import load_kit
 from rna_sdk.conformance.program import Answer
 from rna_sdk.conformance.reader_program import Deformed, Environment, Evaluate, Geometry, run_reader
 from tests.conftest import REPOSITORY
@@ -22,18 +21,18 @@ MINIMAL = HOSTS / "minimal.py"
 
 
 @pytest.fixture(scope="session")
-def kit() -> Kit:
+def kit():
     return load_kit(KIT)
 
 
 @pytest.fixture(scope="session")
-def minimal() -> ModuleType:
+def minimal():
     """The minimal host as a module."""
     return host_module("minimal")
 
 
 @pytest.fixture
-def deformed_host() -> ModuleType:
+def deformed_host():
     """The host of deformed shapes as a module of its own, to be changed."""
     return host_module("deformed")
 
@@ -81,7 +80,7 @@ class InProcess:
 
 
 @pytest.fixture
-def folder_of_kit(tmp_path: Path) -> Path:
+def folder_of_kit(tmp_path):
     """A copy of the kit's index alone, to be damaged."""
     (tmp_path / "kit.json").write_bytes((KIT / "kit.json").read_bytes())
     return tmp_path

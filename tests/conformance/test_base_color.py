@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from rna_sdk.conformance import reader
-from rna_sdk.conformance.kit import Kit
 from rna_sdk.conformance.reader_program import BASE_COLOR_HIT
 from rna_sdk.package import BaseColor, Package
 from tests.conformance import twin_reader
@@ -18,7 +17,7 @@ from tests.reference import base_color as reference
 Arrays = dict[str, np.ndarray]
 
 
-def test_hits_are_of_every_sort(kit: Kit) -> None:
+def test_hits_are_of_every_sort(kit):
     (case,) = (case for case in kit.base_color if case.package.stem == "surface-print")
     rows = {c.name: c.rows for c in case.classes}
     assert sum(rows.values()) == len(case.expected) and min(rows.values()) >= 12
@@ -81,9 +80,7 @@ def image_of(change: Callable[[np.ndarray], np.ndarray]) -> Callable[[BaseColor]
         *("no transform", "transform of v", "triangles", "upside down", "mirrored", "BGR"),
     ],
 )
-def test_readers_that_get_records_wrong_fail(
-    change: Callable[[BaseColor], BaseColor | None], kit: Kit
-) -> None:
+def test_readers_that_get_records_wrong_fail(change, kit):
     notes = {one.package: one.note for one in failures(with_records(change), kit, "base-color")}
     assert "expected" in notes["surface-print"]
 
@@ -102,9 +99,7 @@ def with_levels(change: Callable[[np.ndarray], np.ndarray]) -> InProcess:
 @pytest.mark.parametrize(
     "change", [np.zeros_like, np.floor, np.rint], ids=["level 0", "level below", "nearest level"]
 )
-def test_readers_that_do_not_filter_between_levels_fail(
-    change: Callable[[np.ndarray], np.ndarray], kit: Kit
-) -> None:
+def test_readers_that_do_not_filter_between_levels_fail(change, kit):
     assert failures(with_levels(change), kit, "base-color")
 
 
@@ -142,13 +137,11 @@ LEVELS, LOOKED_UP = reference._levels, reference._looked_up
     ],
     ids=["means before linear", "every second texel", "nearest texel", "half a texel"],
 )
-def test_readers_that_filter_wrong_fail(
-    name: str, function: Callable[..., object], kit: Kit
-) -> None:
+def test_readers_that_filter_wrong_fail(name, function, kit):
     assert failures(with_reference(name, function), kit, "base-color")
 
 
-def test_interpolation_of_linear_colours_fails(kit: Kit) -> None:
+def test_interpolation_of_linear_colours_fails(kit):
     def looked_up(level: np.ndarray, at: np.ndarray, wrap: tuple[str, str]) -> np.ndarray:
         return LOOKED_UP(level**2.4, at, wrap) ** (1 / 2.4)
 
@@ -178,9 +171,7 @@ def colored(change: Callable[[np.ndarray], np.ndarray]) -> InProcess:
     [np.ones_like, np.zeros_like, lambda a: a[:, ::-1], lambda a: np.minimum(a, 1), np.nan_to_num],
     ids=["white", "black", "BGR", "up to 1", "NaN"],
 )
-def test_readers_that_take_another_base_colour_fail(
-    change: Callable[[np.ndarray], np.ndarray], kit: Kit
-) -> None:
+def test_readers_that_take_another_base_colour_fail(change, kit):
     failed = failures(colored(change), kit, "evaluate")
     assert {(score.package, score.tier) for score in failed} == {
         *(("surface-print", "small 0"), ("surface-print", "int8 0")),
@@ -188,7 +179,7 @@ def test_readers_that_take_another_base_colour_fail(
     }
 
 
-def test_a_reader_that_refuses_rows_for_a_base_colour_it_does_not_use_fails(kit: Kit) -> None:
+def test_a_reader_that_refuses_rows_for_a_base_colour_it_does_not_use_fails(kit):
     def evaluate(form: str, package: str, tier: str, part: int, arrays: Arrays) -> np.ndarray:
         answer = reader.evaluate(form, package, tier, part, arrays)
         known = np.isfinite(arrays.get("base_color", np.zeros((1, 1)))).all(axis=1)
@@ -201,9 +192,7 @@ def test_a_reader_that_refuses_rows_for_a_base_colour_it_does_not_use_fails(kit:
 @pytest.mark.parametrize(
     "swap", [lambda v, s: (s, v), lambda v, s: (v, v)], ids=["swapped", "visible alone"]
 )
-def test_readers_without_the_decoder_of_shadowed_light_fail(
-    swap: Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]], kit: Kit
-) -> None:
+def test_readers_without_the_decoder_of_shadowed_light_fail(swap, kit):
     def evaluate(form: str, package: str, tier: str, part: int, arrays: Arrays) -> np.ndarray:
         answer = reader.evaluate(form, package, tier, part, arrays)
         apart = form == "transport" and "shadowed" in package

@@ -21,7 +21,7 @@ def reader(tmp_path: Path, body: str) -> tuple[str, ...]:
     return "--", sys.executable, str(script)
 
 
-def test_a_table_and_a_verdict_of_the_minimal_host(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_table_and_a_verdict_of_the_minimal_host(capsys):
     assert cli.main(list(MINIMAL_COMMAND)) == 0
     lines = capsys.readouterr().out.splitlines()
     assert lines[0].split()[:6] == ["level", "package", "tier", "rows", "right", "tolerances"]
@@ -39,18 +39,14 @@ def shell_reader(tmp_path: Path) -> tuple[str, ...]:
     return "--", str(script)
 
 
-def test_a_validator_to_which_everything_is_valid_fails(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_validator_to_which_everything_is_valid_fails(tmp_path, capsys):
     assert cli.main(shell_reader(tmp_path)) == 1
     out = capsys.readouterr().out
     assert "wrong_crc" in out and "found valid, expected invalid ZIP_CRC" in out
     assert "surface-float32" not in out
 
 
-def test_an_optional_extension_need_not_be_known(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_an_optional_extension_need_not_be_known(tmp_path, capsys):
     """Readers that warn of what they do not know, and that refuse it where it is required."""
     words = shell_reader(tmp_path)
     script = Path(words[1])
@@ -67,7 +63,7 @@ def test_an_optional_extension_need_not_be_known(
         assert not scores["wrong_crc"]["passed"]
 
 
-def test_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_json(tmp_path, capsys):
     assert cli.main(["--json", "--kit", str(KIT), *shell_reader(tmp_path)]) == 1
     scores = {score["package"]: score for score in json.loads(capsys.readouterr().out)}
     assert scores["surface-float32"]["passed"] and not scores["wrong_crc"]["passed"]
@@ -84,16 +80,14 @@ def test_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
         ("print('validate')", "--level evaluate: the reader only claims validate"),
     ],
 )
-def test_readers_that_cannot_be_asked(
-    body: str, message: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_readers_that_cannot_be_asked(body, message, tmp_path, capsys):
     call = "--timeout", "1", "--level", "evaluate", *reader(tmp_path, body)
     assert cli.main(call) == 1
     error = capsys.readouterr().err
     assert error.startswith("error: ") and message in error and error.count("\n") == 1
 
 
-def test_a_command_that_is_not_there(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_command_that_is_not_there(capsys):
     assert cli.main(["--", "./no-such-reader"]) == 1
     assert capsys.readouterr().err == (
         "error: cannot start ./no-such-reader: No such file or directory\n"
@@ -122,9 +116,7 @@ def test_a_command_that_is_not_there(capsys: pytest.CaptureFixture[str]) -> None
         ),
     ],
 )
-def test_wrong_answers_fail_with_a_reason(
-    body: str, message: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_wrong_answers_fail_with_a_reason(body, message, tmp_path, capsys):
     indented = body.replace("\n", "\n    ")
     program = f"if call == ['levels']: print('evaluate')\nelse:\n    {indented}"
     assert cli.main(reader(tmp_path, program)) == 1
@@ -134,7 +126,7 @@ def test_wrong_answers_fail_with_a_reason(
     assert lines[-1].startswith("evaluate: FAIL, 0 of ")
 
 
-def test_a_kit_that_is_not_whole(folder_of_kit: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_kit_that_is_not_whole(folder_of_kit, capsys):
     call = ["--kit", str(folder_of_kit), *MINIMAL_COMMAND]
     assert cli.main(call) == 1
     assert "cannot read a file" in capsys.readouterr().err
@@ -151,15 +143,13 @@ def test_a_kit_that_is_not_whole(folder_of_kit: Path, capsys: pytest.CaptureFixt
     assert "not the index of a conformance kit" in capsys.readouterr().err
 
 
-def test_an_installed_sdk_asks_for_the_kit(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_an_installed_sdk_asks_for_the_kit(monkeypatch, tmp_path, capsys):
     monkeypatch.setattr(kit, "__file__", str(tmp_path / "a" / "b" / "kit.py"))
     assert cli.main(list(MINIMAL_COMMAND)) == 1
     assert "pass --kit PATH" in capsys.readouterr().err
 
 
-def test_help_starts_with_a_command_and_imports_little() -> None:
+def test_help_starts_with_a_command_and_imports_little():
     code = (
         "import sys; from rna_sdk.conformance.rna_conform import main\n"
         "try: main(['--help'])\n"

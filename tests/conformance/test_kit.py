@@ -6,7 +6,6 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from rna_sdk.conformance.kit import Kit
 from rna_sdk.package import INPUT_BLOCKS, Package, Part
 from rna_sdk.package.container.zip_container import MANIFEST_NAME
 from tests.conformance.conftest import KIT
@@ -21,11 +20,11 @@ from tests.package.corpus.schema_walk import Constraint, all_constraints, broken
 ONLY_IN_LARGE_FILES = {"MANIFEST_TOO_LARGE", "DECODER_TOO_LARGE", "STANDIN_TEXTURE"}
 
 
-def test_the_kit_is_what_the_script_makes() -> None:
+def test_the_kit_is_what_the_script_makes():
     assert differences(KIT, kit_files()) == []
 
 
-def test_a_changed_file_is_noticed(tmp_path) -> None:
+def test_a_changed_file_is_noticed(tmp_path):
     files = {"packages/a.rna": b"abc", "expected/a.f64": np.float64([1, 2]).tobytes()}
     for name, data in files.items():
         (tmp_path / name).parent.mkdir()
@@ -43,14 +42,14 @@ def test_a_changed_file_is_noticed(tmp_path) -> None:
     assert differences(tmp_path, {**files, "more": b""}) == ["more: missing"]
 
 
-def test_it_is_small() -> None:
+def test_it_is_small():
     sizes = [
         record["size"] for record in json.loads((KIT / "kit.json").read_text())["files"].values()
     ]
     assert sum(sizes) < 14 * 2**20 and max(sizes) <= 48 * 1024
 
 
-def test_packages_cover_the_format(kit: Kit) -> None:
+def test_packages_cover_the_format(kit):
     seen = set()
     for path in sorted({case.package for case in kit.evaluate}):
         with Package.open(path) as package:
@@ -85,12 +84,12 @@ def features_of(part: Part) -> Iterator[str]:
         yield "image" if color.image else "base colour"
 
 
-def test_every_code_of_the_corpus_is_there(kit: Kit) -> None:
+def test_every_code_of_the_corpus_is_there(kit):
     codes = {case.code for case in kit.validate}
     assert {case.code for case in CASES} - codes == ONLY_IN_LARGE_FILES
 
 
-def test_no_constraint_of_the_schemas_is_unguarded(kit: Kit) -> None:
+def test_no_constraint_of_the_schemas_is_unguarded(kit):
     """Each has a broken package in which nothing else is wrong."""
     guarded: set[Constraint] = set()
     for case in (case for case in kit.validate if case.package.stem.startswith("schema-")):
@@ -100,7 +99,7 @@ def test_no_constraint_of_the_schemas_is_unguarded(kit: Kit) -> None:
     assert all_constraints() - guarded == UNREACHED
 
 
-def test_every_row_has_a_class_and_a_tolerance(kit: Kit) -> None:
+def test_every_row_has_a_class_and_a_tolerance(kit):
     for case in (*kit.evaluate, *kit.environment):
         ends = np.cumsum([c.rows for c in case.classes])
         assert [c.first for c in case.classes] == [0, *ends[:-1]] and ends[-1] == len(case.expected)
@@ -112,7 +111,7 @@ def test_every_row_has_a_class_and_a_tolerance(kit: Kit) -> None:
         assert by_rule.sum() >= lengths + 3 * numbers
 
 
-def test_light_and_shadow_are_on_every_geometry(kit: Kit) -> None:
+def test_light_and_shadow_are_on_every_geometry(kit):
     for case in kit.visibility:
         clear, dark = (case.expected == v for v in (1, 0))
         if clear.all():  # around a strand that stands alone
@@ -124,7 +123,7 @@ def test_light_and_shadow_are_on_every_geometry(kit: Kit) -> None:
         assert not between.any() or between.mean() > 0.05
 
 
-def test_facets_that_face_light_behind_the_smooth_surface_block_it(kit: Kit) -> None:
+def test_facets_that_face_light_behind_the_smooth_surface_block_it(kit):
     """Glass weakens it; triangles wound against their normals have the side of the facet."""
     seen = {}
     for case in kit.visibility:
@@ -139,7 +138,7 @@ def test_facets_that_face_light_behind_the_smooth_surface_block_it(kit: Kit) -> 
     assert glass.max() < 1.0 and (glass > 0.0).mean() > 0.5
 
 
-def test_normals_are_bent_in_every_way(kit: Kit) -> None:
+def test_normals_are_bent_in_every_way(kit):
     (case,) = (case for case in kit.normals if case.package.stem == "surface-relief")
     rows = {c.name: c.rows for c in case.classes}
     assert set(rows) == {
@@ -151,7 +150,7 @@ def test_normals_are_bent_in_every_way(kit: Kit) -> None:
 
 
 @pytest.mark.parametrize("beyond", [0.0, 1e-2])
-def test_hits_next_to_a_decision_are_left_out(beyond: float) -> None:
+def test_hits_next_to_a_decision_are_left_out(beyond):
     """A ray that passes the edge of the hovering sheet exactly, or clears it."""
     mesh = shapes.steps()
     x = np.array([0.0, -0.5, 0.0])

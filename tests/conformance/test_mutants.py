@@ -4,7 +4,6 @@ import json
 
 import pytest
 
-from rna_sdk.conformance.kit import Kit
 from tests.conformance.mutants import (
     CAUGHT,
     LEVELS,
@@ -18,18 +17,18 @@ from tests.conformance.mutants import (
 
 
 @pytest.fixture(scope="module")
-def every() -> list[Mutant]:
+def every():
     return [mutant for host in LEVELS for mutant in mutants(host)]
 
 
-def test_all_are_on_record_and_caught_or_allowed(every: list[Mutant]) -> None:
+def test_all_are_on_record_and_caught_or_allowed(every):
     """Stale after a change of the host: run python -m tests.conformance.mutants."""
     record = json.loads(RECORD.read_text())
     assert list(record) == [mutant.name for mutant in every]
     assert all(record[m.name] in (CAUGHT, reason(m) or None) for m in every)
 
 
-def test_there_are_many_and_they_differ(every: list[Mutant]) -> None:
+def test_there_are_many_and_they_differ(every):
     assert len(every) >= 100
     sources = {mutant.source for mutant in every}
     assert len(sources - set(map(source_of, LEVELS))) > 0.9 * len(every)
@@ -46,11 +45,11 @@ def test_there_are_many_and_they_differ(every: list[Mutant]) -> None:
         "angle * turned -> angle / turned",
     ],
 )
-def test_a_change_is_caught(change: str, kit: Kit, every: list[Mutant]) -> None:
+def test_a_change_is_caught(change, kit, every):
     mutant = next(mutant for mutant in every if mutant.name.endswith(change))
     assert verdict(mutant, kit) == CAUGHT
 
 
 @pytest.mark.parametrize("host", LEVELS)
-def test_a_host_itself_passes(host: str, kit: Kit) -> None:
+def test_a_host_itself_passes(host, kit):
     assert verdict(Mutant(host, "unchanged", source_of(host)), kit) == "passes"

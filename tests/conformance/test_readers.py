@@ -5,7 +5,6 @@ import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 from types import ModuleType, SimpleNamespace
 
 import numpy as np
@@ -36,7 +35,7 @@ def failures(program: Program, kit: Kit, *levels: str) -> list[Score]:
     return [score for score in run_levels(program, kit, levels) if not score.passed]
 
 
-def test_the_runtime_passes_every_level(kit: Kit) -> None:
+def test_the_runtime_passes_every_level(kit):
     program = InProcess(
         reader.evaluate,
         conformance_reader.visibility,
@@ -52,13 +51,13 @@ def test_the_runtime_passes_every_level(kit: Kit) -> None:
     assert failures(program, kit, *LEVELS) == []
 
 
-def test_the_references_pass(kit: Kit) -> None:
+def test_the_references_pass(kit):
     twin = InProcess(environment=twin_reader.environment, base_color=twin_reader.base_color)
     assert failures(twin, kit, *claimed_levels(twin)) == []
 
 
 @pytest.mark.parametrize("module", ["rna_sdk.conformance.reader", "rna_render.conformance_reader"])
-def test_our_readers_are_programs(module: str, kit: Kit, tmp_path: Path) -> None:
+def test_our_readers_are_programs(module, kit, tmp_path):
     program = Command((sys.executable, "-m", module), timeout=300)
     had = claimed_levels(program)
     assert had == (
@@ -82,7 +81,7 @@ def test_our_readers_are_programs(module: str, kit: Kit, tmp_path: Path) -> None
 
 
 @pytest.mark.skipif(not (shutil.which("cc") and shutil.which("make")), reason="no cc or no make")
-def test_the_c_host_passes_every_level(kit: Kit, tmp_path: Path) -> None:
+def test_the_c_host_passes_every_level(kit, tmp_path):
     host = tmp_path / "conform"
     subprocess.run(
         ["make", "-s", "-C", C_HOST, f"BUILD={tmp_path}", "ARCH=", "CFLAGS=-O1", host], check=True
@@ -96,9 +95,7 @@ def test_the_c_host_passes_every_level(kit: Kit, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("rows", "steps", "passes"), [(8, 0.9, True), (9, 0.9, False), (1, 2, False)]
 )
-def test_few_rows_of_int8_may_differ_by_a_step(
-    rows: int, steps: float, passes: bool, kit: Kit
-) -> None:
+def test_few_rows_of_int8_may_differ_by_a_step(rows, steps, passes, kit):
     """2% of 412 are 8; of a float32 decoder, none may."""
 
     def evaluate(form: str, package: str, tier: str, part: int, _: object) -> np.ndarray:
@@ -187,7 +184,7 @@ def as_colours(seen: np.ndarray) -> np.ndarray:
         (of_strands(start_strand=True), "fiber", ("inside another strand",)),
     ],
 )
-def test_readers_with_a_simpler_visibility_fail(visibility, kind, classes, kit: Kit) -> None:  # type: ignore[no-untyped-def]
+def test_readers_with_a_simpler_visibility_fail(visibility, kind, classes, kit):  # type: ignore[no-untyped-def]
     failed = failures(InProcess(visibility=visibility), kit, "visibility")
     assert failed and all(score.package.startswith((kind, "parts")) for score in failed)
     for name in classes:
@@ -207,7 +204,7 @@ def by_its_own_part(package: str, records: bytes) -> np.ndarray:
         return conformance_reader.visibility(package, records)
 
 
-def test_a_reader_in_which_parts_do_not_block_each_other_fails(kit: Kit) -> None:
+def test_a_reader_in_which_parts_do_not_block_each_other_fails(kit):
     failed = failures(InProcess(visibility=by_its_own_part), kit, "visibility")
     notes = {score.package: score.note for score in failed}
     assert set(notes) == {"parts-head", "parts-lantern", "parts-pairs"}
@@ -242,14 +239,14 @@ def with_records(change: Callable[[Transmittance], Transmittance | None]):  # ty
     ],
     ids=["opaque", "cutoff", "fresnel", "sides", "upside down", "grey", "triangles"],
 )
-def test_readers_that_get_transmittance_wrong_fail(change, kit: Kit) -> None:  # type: ignore[no-untyped-def]
+def test_readers_that_get_transmittance_wrong_fail(change, kit):  # type: ignore[no-untyped-def]
     failed = failures(InProcess(visibility=with_records(change)), kit, "visibility")
     by_name = {score.package: score for score in failed}
     assert set(by_name) <= {"parts-lantern", "surface-screens"}
     assert by_name["parts-lantern"].right > 0.5 * by_name["parts-lantern"].rows
 
 
-def test_a_reader_that_asks_the_first_part_alone_fails(kit: Kit) -> None:
+def test_a_reader_that_asks_the_first_part_alone_fails(kit):
     def evaluate(
         form: str, package: str, tier: str, part: int, arrays: dict[str, np.ndarray]
     ) -> np.ndarray:
@@ -263,7 +260,7 @@ def test_a_reader_that_asks_the_first_part_alone_fails(kit: Kit) -> None:
     }
 
 
-def test_a_reader_without_emission_fails(kit: Kit) -> None:
+def test_a_reader_without_emission_fails(kit):
     def evaluate(
         form: str, package: str, tier: str, part: int, arrays: dict[str, np.ndarray]
     ) -> np.ndarray:
@@ -296,7 +293,7 @@ def with_lobes(change: Callable[[LobeQueries], LobeQueries]):  # type: ignore[no
     ],
     ids=["free", "turned", "corners", "first triangle", "other side"],
 )
-def test_readers_that_get_lobes_wrong_fail(change, packages, kit: Kit) -> None:  # type: ignore[no-untyped-def]
+def test_readers_that_get_lobes_wrong_fail(change, packages, kit):  # type: ignore[no-untyped-def]
     failed = failures(InProcess(environment=with_lobes(change)), kit, "environment")
     assert {score.package for score in failed} == packages
     assert all("expected" in score.note for score in failed)
@@ -334,7 +331,7 @@ def turned(texture: np.ndarray, *factors: int) -> np.ndarray:
     ],
     ids=["plain", "y down", "x back", "y first", "upside down", "triangles"],
 )
-def test_readers_that_get_normal_maps_wrong_fail(change, kit: Kit) -> None:  # type: ignore[no-untyped-def]
+def test_readers_that_get_normal_maps_wrong_fail(change, kit):  # type: ignore[no-untyped-def]
     notes = {
         s.package: s.note for s in failures(InProcess(normals=with_maps(change)), kit, "normals")
     }
@@ -374,9 +371,7 @@ STRANDS = {"fiber-float16", "fiber-int8", "fiber-one-channel", "parts-head", "fi
     ("change", "packages"),
     [(angles_of_the_shape, MESHES), (facets_alone, MESHES | STRANDS), (unturned_roots, STRANDS)],
 )
-def test_readers_that_turn_deformed_shapes_wrong_fail(
-    change: Callable[[ModuleType], None], packages: set[str], kit: Kit, deformed_host: ModuleType
-) -> None:
+def test_readers_that_turn_deformed_shapes_wrong_fail(change, packages, kit, deformed_host):
     change(deformed_host)
     failed = failures(with_geometry(deformed_host), kit, "deformed")
     assert {score.package for score in failed} == packages
@@ -389,9 +384,7 @@ def test_readers_that_turn_deformed_shapes_wrong_fail(
         ("rounded", lambda values: np.float16(values).astype(float), "fiber-quantised"),
     ],
 )
-def test_readers_that_restore_geometry_wrong_fail(
-    name: str, change: Callable, package: str, kit: Kit, deformed_host: ModuleType
-) -> None:
+def test_readers_that_restore_geometry_wrong_fail(name, change, package, kit, deformed_host):
     setattr(deformed_host, name, change)
     failed = failures(with_geometry(deformed_host), kit, "geometry")
     assert package in {score.package for score in failed}

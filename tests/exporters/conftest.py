@@ -1,7 +1,7 @@
 """Blender workers for the tests of the exporters, and quick exports."""
 
 import subprocess
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import ExitStack, suppress
 from itertools import count
 from pathlib import Path
@@ -11,7 +11,6 @@ import pytest
 
 from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_sdk.errors import CaptureError
 from tests.exporters.scenes import write_scene
 from tests.exporters.synthetic import make_dataset
@@ -21,13 +20,13 @@ SaveBlend = Callable[..., Path]
 
 
 @pytest.fixture(scope="module")
-def dataset(tmp_path_factory: pytest.TempPathFactory) -> DatasetPart:
+def dataset(tmp_path_factory):
     """The ball of `synthetic`."""
     return make_dataset(tmp_path_factory.mktemp("data") / "ball.rays")
 
 
 @pytest.fixture(scope="module", autouse=True)
-def quick_exports() -> Iterator[None]:
+def quick_exports():
     """Posters of one sample, costs of few queries: most of an export's time, unseen by tests."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("rna_export.export.poster_rendering._SAMPLES", 1)
@@ -77,14 +76,14 @@ class LentWorker(BlenderWorker):
 
 
 @pytest.fixture(scope="session")
-def lent_workers() -> Iterator[None]:
+def lent_workers():
     """Ends the process that is left in the end."""
     yield
     LentWorker.end_idle()
 
 
 @pytest.fixture
-def open_worker(blender_python: Path, tmp_path: Path, lent_workers: None) -> Iterator[OpenWorker]:
+def open_worker(blender_python, tmp_path, lent_workers):
     """Opens a worker on a file, or on the text of a script; closes it after the test."""
     opened = count()
 
@@ -101,7 +100,7 @@ def open_worker(blender_python: Path, tmp_path: Path, lent_workers: None) -> Ite
 
 
 @pytest.fixture
-def save_blend(open_worker: OpenWorker) -> SaveBlend:
+def save_blend(open_worker):
     """Makes a .blend file of the text of a script, which begins with an empty file of that name.
 
     renders: whether the script does so itself.

@@ -1,14 +1,11 @@
 """Light returned from a white world: its samples, the figure, and where it is said."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 from rna_export.albedo import albedo, white_views
 from rna_export.capture.blender_process.capture_worker import scene_of
 from rna_export.capture.capture_tasks import WhiteRays
-from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.sample_files import write_parts
 from rna_export.capture.dataset.validation_view import WhiteView
 from rna_export.capture.rays.light_samples import LIGHTS, fiber_lights, surface_lights
@@ -25,7 +22,7 @@ from tests.exporters.test_tasks import Teacher, make
 NARROW = 0.02**2  # alpha of the smoothest material
 
 
-def test_a_model_that_returns_a_third_is_reported_as_such(tmp_path: Path) -> None:
+def test_a_model_that_returns_a_third_is_reported_as_such(tmp_path):
     view = make_dataset(tmp_path).white_view()
     assert view is not None
     at = view.samples
@@ -37,7 +34,7 @@ def test_a_model_that_returns_a_third_is_reported_as_such(tmp_path: Path) -> Non
         assert getattr(third, name) == pytest.approx(getattr(whole, name) / 3.0, rel=1e-5)
 
 
-def test_light_that_is_missing_at_grazing_views_is_found_there() -> None:
+def test_light_that_is_missing_at_grazing_views_is_found_there():
     view = _view({})
     right, _ = transport(*(view.samples[name] for name in ("normal", "wo", "wi")))
     facing = view.cosine > np.cos(np.radians(70.0))
@@ -47,7 +44,7 @@ def test_light_that_is_missing_at_grazing_views_is_found_there() -> None:
     assert found.ratio < 0.97
 
 
-def test_nothing_is_said_of_black_assets_and_of_bands_without_light() -> None:
+def test_nothing_is_said_of_black_assets_and_of_bands_without_light():
     black = _view({"radiance": np.zeros_like(white_samples()["radiance"])})
     assert albedo([(black.reference, black)]) is None
     dark = white_samples()["radiance"].copy()
@@ -65,7 +62,7 @@ def _view(changes: dict[str, np.ndarray]) -> WhiteView:
 
 @pytest.mark.parametrize("angle_deg", [0.0, 60.0, 80.0])
 @pytest.mark.parametrize("alpha", [NARROW, 0.01, 0.1])
-def test_the_directions_integrate_lobes_of_any_width(angle_deg: float, alpha: float) -> None:
+def test_the_directions_integrate_lobes_of_any_width(angle_deg, alpha):
     """GGX's D cos(n, h) / (4 cos(wo, h)) integrates to 1 over all mirrors wi of wo."""
     count, rng = 500, np.random.default_rng(3)
     n = np.tile(np.float32([0, 0, 1]), (count, 1))
@@ -84,7 +81,7 @@ def test_the_directions_integrate_lobes_of_any_width(angle_deg: float, alpha: fl
     assert ones.mean() == pytest.approx(4.0 * np.pi, rel=0.02)
 
 
-def test_directions_of_strands_cover_the_sphere() -> None:
+def test_directions_of_strands_cover_the_sphere():
     tangent = np.tile(np.float32([1, 0, 0]), (500, 1))
     wo = np.tile(np.float32([0.6, 0.0, 0.8]), (500, 1))
     lights = fiber_lights(tangent, wo, np.random.default_rng(3))
@@ -92,7 +89,7 @@ def test_directions_of_strands_cover_the_sphere() -> None:
     assert covered == pytest.approx(4.0 * np.pi, rel=0.02)
 
 
-def test_rays_in_a_white_world_are_captured_from_the_domain_alone(tmp_path: Path) -> None:
+def test_rays_in_a_white_world_are_captured_from_the_domain_alone(tmp_path):
     part = make(tmp_path, sphere(4), domain="hemisphere")
     teacher = Teacher()
     WhiteRays().run(part.dataset, scene_of(part.dataset), teacher)
@@ -107,16 +104,14 @@ def test_rays_in_a_white_world_are_captured_from_the_domain_alone(tmp_path: Path
 
 
 @pytest.fixture(scope="module")
-def trained(tmp_path_factory: pytest.TempPathFactory) -> tuple[DatasetPart, Path]:
+def trained(tmp_path_factory):
     """A dataset, and a checkpoint of a short training."""
     folder = tmp_path_factory.mktemp("albedo")
     part = make_dataset(folder / "ball.rays")
     return part, train(Run(part, tiny(loss="log"), "small", folder / "run"), say=lambda _: None)
 
 
-def test_packages_record_it_and_commands_say_it(
-    trained: tuple[DatasetPart, Path], tmp_path: Path
-) -> None:
+def test_packages_record_it_and_commands_say_it(trained, tmp_path):
     part, best = trained
     tripled = {**white_samples(), "radiance": 3.0 * white_samples()["radiance"]}
     found = {}
@@ -136,9 +131,7 @@ def test_packages_record_it_and_commands_say_it(
     assert found["tripled"].ratio == pytest.approx(found["right"].ratio / 3.0, rel=1e-3)
 
 
-def test_a_dataset_without_a_white_world_has_no_albedo(
-    trained: tuple[DatasetPart, Path], tmp_path: Path
-) -> None:
+def test_a_dataset_without_a_white_world_has_no_albedo(trained, tmp_path):
     part, best = trained
     part.dataset.white_path.unlink()
     assert white_views(part.dataset.parts) is None

@@ -45,7 +45,7 @@ def plain(base, roughness: float, metallic: float, k: int = 1) -> GltfMaterial:
     return GltfMaterial(*(c.expand(k, -1) for c in columns), torch.zeros(k, 3))
 
 
-def test_gltf_is_the_renderers_own_material() -> None:
+def test_gltf_is_the_renderers_own_material():
     k = 20_000
     n, wo, wi = of_unit_length(3, k)
     wo = torch.where((n * wo).sum(1, keepdim=True) < 0.05, F.normalize(n + 0.5 * wo, dim=1), wo)
@@ -68,7 +68,7 @@ def test_gltf_is_the_renderers_own_material() -> None:
 
 
 @pytest.mark.parametrize("cos_o", [0.2, 0.9])
-def test_white_reflects_all_light(cos_o: float) -> None:
+def test_white_reflects_all_light(cos_o):
     side = 400
     z = (torch.arange(side) + 0.5) / side
     phi = 2.0 * math.pi * (torch.arange(side) + 0.5) / side
@@ -98,7 +98,7 @@ def known_samples(k: int) -> tuple[GltfMaterial, dict[str, torch.Tensor]]:
     return material, {**at, "visible": ((n * wi).sum(1) > 0).float()}
 
 
-def test_a_known_material_is_found_again() -> None:
+def test_a_known_material_is_found_again():
     material, at = known_samples(40_000)
     preset = ANALYTIC.with_model(resolution=16, width=32)
     preset = preset.with_training(loss="log", unbiased_share=0.0, learning_rate=1e-2)
@@ -118,7 +118,7 @@ def test_a_known_material_is_found_again() -> None:
     assert float(torch.rad2deg(torch.arccos(straight.clamp(max=1.0))).mean()) < 1.0
 
 
-def test_shadowed_light_is_black_and_teaches_nothing() -> None:
+def test_shadowed_light_is_black_and_teaches_nothing():
     _, at = known_samples(64)
     at = {**at, "visible": torch.zeros(64)}
     model = NeuralAsset(ANALYTIC.with_model(resolution=16).model, BOUNDS)
@@ -128,7 +128,7 @@ def test_shadowed_light_is_black_and_teaches_nothing() -> None:
     assert all((p.grad == 0).all() for p in model.decoder.parameters())
 
 
-def test_a_training_says_its_score_and_no_package_takes_it(tmp_path, monkeypatch, capsys) -> None:
+def test_a_training_says_its_score_and_no_package_takes_it(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(Curves, "draw", lambda _: None)
     dataset, runs, package = make_dataset(tmp_path / "ball.rays"), tmp_path / "run", "ball.rna"
     options = ["--preset", "analytic", "--steps", "10", "--out", str(runs)]

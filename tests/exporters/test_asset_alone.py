@@ -9,7 +9,6 @@ from rna_export.capture.capture_tasks import TrainingShard
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_manifest import CapturedPart
 from rna_export.capture.geometry.mesh_cleanup import welded
-from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import trace, unit
 from tests.exporters.synthetic import manifest_of
 
@@ -63,7 +62,7 @@ def seen_from_above(worker) -> np.ndarray:
     return traced.radiance[traced.front]
 
 
-def test_only_our_sun_shines(open_worker: OpenWorker) -> None:
+def test_only_our_sun_shines(open_worker):
     worker = open_worker(FOREIGN_LIGHT)
     assert not seen_from_above(worker).any()
     assert worker.opened["notes"] == []
@@ -74,15 +73,13 @@ def test_only_our_sun_shines(open_worker: OpenWorker) -> None:
     [PRINCIPLED_GLOW, EMISSION_NODE, EMISSION_IN_A_GROUP],
     ids=["principled", "node", "group"],
 )
-def test_emission_is_told_and_is_no_part_of_the_transport(
-    open_worker: OpenWorker, scene: str
-) -> None:
+def test_emission_is_told_and_is_no_part_of_the_transport(open_worker, scene):
     worker = open_worker(scene)
     assert not seen_from_above(worker).any()
     assert worker.opened["emitters"] == ["principled"]
 
 
-def test_a_hit_on_an_unread_cutout_is_a_sample(open_worker: OpenWorker, tmp_path) -> None:
+def test_a_hit_on_an_unread_cutout_is_a_sample(open_worker, tmp_path):
     """Where the transparency is not known, what shines through is the radiance of the hit."""
     worker = open_worker(
         "add(*square(1, z=1), principled(Alpha=0.0))\nadd(*square(1), diffuse((1, 1, 1)))"

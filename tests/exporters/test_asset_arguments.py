@@ -22,7 +22,7 @@ def fields_of(kind: str) -> dict[str, np.ndarray]:
 
 @pytest.mark.parametrize("kind", ASSETS)
 @pytest.mark.parametrize("method", ["evaluate", "emission"])
-def test_arguments_are_those_of_the_runtime(kind: str, method: str) -> None:
+def test_arguments_are_those_of_the_runtime(kind, method):
     fields = fields_of(kind)
     actual = (evaluate_arguments if method == "evaluate" else emission_arguments)(fields)
     parameters = list(inspect.signature(getattr(ASSETS[kind], method)).parameters)
@@ -32,7 +32,7 @@ def test_arguments_are_those_of_the_runtime(kind: str, method: str) -> None:
         assert value is fields[name]
 
 
-def test_queries_of_views_leave_out_what_the_runtime_does_not_take() -> None:
+def test_queries_of_views_leave_out_what_the_runtime_does_not_take():
     fields = fields_of("surface")
     view = ValidationView(0, 2, np.arange(2), fields, np.zeros((2, 2, 3), np.float32))
     actual = all_queries([view, view])

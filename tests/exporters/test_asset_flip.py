@@ -40,14 +40,14 @@ def view_of(reference: np.ndarray, noise: float = 0.0, kind: type = ValidationVi
     return kind(0, SIDE, pixel, {"radiance": halves.mean(axis=0)}, halves)
 
 
-def test_a_dim_picture_of_the_same_scene_has_the_same_error() -> None:
+def test_a_dim_picture_of_the_same_scene_has_the_same_error():
     reference = texture()
     errors = [asset_error([1.2 * k * reference], [view_of(k * reference)]) for k in (1.0, 0.02)]
     assert errors[0].mean > 0.03
     assert errors[1].mean == pytest.approx(errors[0].mean, rel=1e-3)
 
 
-def test_each_picture_is_exposed_but_a_rim_of_light_is_not_blown_up() -> None:
+def test_each_picture_is_exposed_but_a_rim_of_light_is_not_blown_up():
     pictures = [k * texture() for k in (0.2, 0.2, 0.2, 0.05, 0.01)]
     exposures = scene_exposures([luminance_level(picture) for picture in pictures])
     for reference, e in zip(pictures[:4], exposures, strict=False):
@@ -60,7 +60,7 @@ def test_each_picture_is_exposed_but_a_rim_of_light_is_not_blown_up() -> None:
     assert scene_exposures([0.0, 0.0]) == [(1.0, True)] * 2
 
 
-def test_one_bright_close_up_does_not_rule_the_others() -> None:
+def test_one_bright_close_up_does_not_rule_the_others():
     """As of the bundled toy: a highlight that fills one picture made all others black."""
     views = [view_of(k * texture(j)) for j, k in enumerate((1.0, 0.8, 1.2, 0.9, 0.5, 0.7, 0.6))]
     ours = [1.3 * view.reference for view in views]
@@ -72,7 +72,7 @@ def test_one_bright_close_up_does_not_rule_the_others() -> None:
     assert usual.mean > 0.05 and of_others == pytest.approx(usual.mean, rel=0.01)
 
 
-def test_pictures_without_light_do_not_count_and_are_told() -> None:
+def test_pictures_without_light_do_not_count_and_are_told():
     views = [view_of(texture(k)) for k in range(3)]
     dark = view_of(0.9 * 2.0**-UNLIT_STOPS * texture(2))
     ours = [1.3 * view.reference for view in views]
@@ -81,7 +81,7 @@ def test_pictures_without_light_do_not_count_and_are_told() -> None:
     assert error.mean == pytest.approx(asset_error(ours, views).mean, rel=1e-3)
 
 
-def test_background_does_not_count() -> None:
+def test_background_does_not_count():
     image = np.zeros((64, 64, 3), np.float32)
     image[16:48, 16:48] = 0.2
     worse, covered = 1.3 * image, image[..., 0] > 0
@@ -93,7 +93,7 @@ def test_background_does_not_count() -> None:
 
 @pytest.mark.parametrize("noise", [0.05, 0.15])
 @pytest.mark.parametrize("error", [0.03, 0.1, 0.3])
-def test_noise_of_the_reference_is_not_counted(noise: float, error: float) -> None:
+def test_noise_of_the_reference_is_not_counted(noise, error):
     reference = texture()
     ours = reference * (1.0 + error * np.sign(texture(3) - np.median(texture(3))))
     expected = asset_error([ours], [view_of(reference)])
@@ -102,7 +102,7 @@ def test_noise_of_the_reference_is_not_counted(noise: float, error: float) -> No
     assert actual.p95 == pytest.approx(expected.p95, rel=0.2, abs=0.02)
 
 
-def test_a_perfect_model_is_very_good_under_noise() -> None:
+def test_a_perfect_model_is_very_good_under_noise():
     reference = texture()
     view = view_of(reference, noise=0.15)
     (e,) = scene_exposures([luminance_level(reference)])
@@ -110,7 +110,7 @@ def test_a_perfect_model_is_very_good_under_noise() -> None:
     assert error_in_words(asset_error([reference], [view]).mean) == error_in_words(0.0)
 
 
-def test_noise_is_taken_out_where_colour_distances_add_in_squares() -> None:
+def test_noise_is_taken_out_where_colour_distances_add_in_squares():
     distance, variance = 0.3, 0.02
     noisy, noisier = ((distance**2 + k * variance) ** 0.35 for k in (1, 2))
     assert without_noise(noisy, noisier) == pytest.approx(distance**0.7)
@@ -118,7 +118,7 @@ def test_noise_is_taken_out_where_colour_distances_add_in_squares() -> None:
     assert without_noise(0.1, 0.5) == pytest.approx(0.025)  # nor nothing, where noise hides it
 
 
-def test_the_95th_percentile_is_of_the_pixels_of_all_images() -> None:
+def test_the_95th_percentile_is_of_the_pixels_of_all_images():
     good, bad = np.full(900, 0.1), np.full(100, 0.5)
     images = [ImageFlip(rows, np.tile(rows, 2)) for rows in (good, bad)]
     assert asset_flip(images).p95 == pytest.approx(0.5)
@@ -126,7 +126,7 @@ def test_the_95th_percentile_is_of_the_pixels_of_all_images() -> None:
     assert asset_flip([*images, ImageFlip(np.zeros(0), np.zeros(0))]).images == 2
 
 
-def test_the_worse_of_light_and_emission_counts_and_a_black_board_does_not() -> None:
+def test_the_worse_of_light_and_emission_counts_and_a_black_board_does_not():
     reference = texture()
     sign = np.zeros_like(reference)
     sign[: SIDE * 4] = 3.0
@@ -140,7 +140,7 @@ def test_the_worse_of_light_and_emission_counts_and_a_black_board_does_not() -> 
     assert worse_error(light, []) == light
 
 
-def test_words_get_worse_with_the_error() -> None:
+def test_words_get_worse_with_the_error():
     words = [error_in_words(flip) for flip in np.arange(0.0, 0.5, 0.005)]
     assert list(dict.fromkeys(words)) == [
         error_in_words(flip) for flip in (0.0, 0.05, 0.09, 0.15, 0.25, 0.4)

@@ -7,7 +7,7 @@ from tests.exporters.two_parts import spikes
 from tests.runtime.points import unit_vectors
 
 
-def test_points_on_a_ball_are_where_the_ball_is() -> None:
+def test_points_on_a_ball_are_where_the_ball_is():
     scene = AssetScene([sphere(5)])
     towards = unit_vectors(np.random.default_rng(0), 500)
     points = scene.shade_points(3.0 * towards, -towards)
@@ -17,7 +17,7 @@ def test_points_on_a_ball_are_where_the_ball_is() -> None:
     assert np.sum(points.geometric_normal * towards, axis=1).min() > 0.999
 
 
-def test_points_of_a_pose_are_recorded_at_rest() -> None:
+def test_points_of_a_pose_are_recorded_at_rest():
     """A pose that is the rest shape as a whole, turned: rays that are turned say the same."""
     parts = sphere(4), spikes(60, radius=0.03)
     turn = np.roll(np.eye(3, dtype=np.float32), 1, axis=0)
@@ -42,14 +42,14 @@ def test_points_of_a_pose_are_recorded_at_rest() -> None:
         np.testing.assert_allclose(turned, np.repeat(wi, len(turned), axis=0), atol=1e-3)
 
 
-def test_a_miss_leaves_zeros() -> None:
+def test_a_miss_leaves_zeros():
     points = AssetScene([sphere(2)]).shade_points(np.float32([[0, 3, 0]]), np.float32([[0, 1, 0]]))
     assert not points.hit.any()
     for values in (points.position, points.geometric_normal):
         assert not values.any()
 
 
-def test_sampled_points_are_uniform_by_area() -> None:
+def test_sampled_points_are_uniform_by_area():
     # One square four times the other's area, its triangles as few as the other's.
     scene = AssetScene([merged(square(2.0), square(1.0, height=5.0))])
     points, normals = scene.sample_points(20_000, np.random.default_rng(0))
@@ -58,7 +58,7 @@ def test_sampled_points_are_uniform_by_area() -> None:
     assert np.abs(points[points[:, 1] < 2.5, 0]).mean() == pytest.approx(1.0, abs=0.03)
 
 
-def test_a_ball_hides_the_square_below_it() -> None:
+def test_a_ball_hides_the_square_below_it():
     scene = AssetScene([merged(square(2.0), moved(sphere(4, radius=0.5), (0, 1, 0)))])
     x = np.linspace(-1.5, 1.5, 61, dtype=np.float32)
     origins = np.stack([x, np.full_like(x, 0.3), np.zeros_like(x)], axis=1)
@@ -68,7 +68,7 @@ def test_a_ball_hides_the_square_below_it() -> None:
     assert np.array_equal(visible[clear], np.abs(x[clear]) > 0.5)
 
 
-def test_free_distance_on_the_inside_of_a_ring() -> None:
+def test_free_distance_on_the_inside_of_a_ring():
     scene = AssetScene([ring()])
     point, inwards = np.float32([[0.9, 0, 0]]), np.float32([[-1, 0, 0]])
     across = scene.free_distance(point, inwards, inwards)
@@ -77,7 +77,7 @@ def test_free_distance_on_the_inside_of_a_ring() -> None:
 
 
 @pytest.mark.parametrize("sharpest", [0.02, 0.14])
-def test_views_of_highlights_are_spread_down_to_the_sharpest_lobe(sharpest: float) -> None:
+def test_views_of_highlights_are_spread_down_to_the_sharpest_lobe(sharpest):
     scene, wi = AssetScene([sphere(5)], sharpest), np.float32([0, 0, 1])
     towards = unit_vectors(np.random.default_rng(1), 20_000)
     points = scene.shade_points(3.0 * towards, -towards)

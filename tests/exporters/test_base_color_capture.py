@@ -170,9 +170,7 @@ AS_FILES = {
 AS_TEXELS = {"clip": CLIPPED, "float": FLOAT, "space": UNALIKE}
 
 
-def test_samples_have_the_base_colour_that_cycles_shows(
-    open_worker: OpenWorker, tmp_path: Path
-) -> None:
+def test_samples_have_the_base_colour_that_cycles_shows(open_worker, tmp_path):
     path = print_of(tmp_path)
     changes = AS_FILES | AS_TEXELS
     exported, labels = captured(open_worker, tmp_path, path, list(changes.values()))
@@ -185,25 +183,21 @@ def test_samples_have_the_base_colour_that_cycles_shows(
 
 
 @pytest.mark.parametrize("ending", ["jpg", "webp"])
-def test_a_file_stays_as_it_is(open_worker: OpenWorker, tmp_path: Path, ending: str) -> None:
+def test_a_file_stays_as_it_is(open_worker, tmp_path, ending):
     path = print_of(tmp_path, ending)
     exported, ((name, base, shown),) = captured(open_worker, tmp_path, path, [PLAIN])
     assert name.endswith(f".{ending}") and exported.textures[name] == path.read_bytes()
     assert np.abs(base - shown).mean() < 0.005
 
 
-def test_a_file_whose_colours_alpha_changes_is_taken_as_cycles_shows_it(
-    open_worker: OpenWorker, tmp_path: Path
-) -> None:
+def test_a_file_whose_colours_alpha_changes_is_taken_as_cycles_shows_it(open_worker, tmp_path):
     path = print_of(tmp_path, alpha=True)
     exported, ((name, base, shown),) = captured(open_worker, tmp_path, path, [ALPHA])
     assert exported.textures[name] != path.read_bytes()
     assert np.abs(base - shown).mean() < 0.005
 
 
-def test_an_image_times_colours_of_vertices_is_taken_over(
-    open_worker: OpenWorker, tmp_path: Path
-) -> None:
+def test_an_image_times_colours_of_vertices_is_taken_over(open_worker, tmp_path):
     """They are learnt, with the light that the image is a factor of."""
     path = print_of(tmp_path)
     exported, ((name, base, shown),) = captured(open_worker, tmp_path, path, [OF_VERTICES])
@@ -235,9 +229,7 @@ shown = noise.outputs["Color"]
 """
 
 
-def test_what_nodes_make_of_uv_coordinates_is_baked(
-    open_worker: OpenWorker, tmp_path: Path
-) -> None:
+def test_what_nodes_make_of_uv_coordinates_is_baked(open_worker, tmp_path):
     path = print_of(tmp_path)
     exported, labels = captured(open_worker, tmp_path, path, [TWO_IMAGES, NOISE])
     assert exported.notes == []
@@ -245,9 +237,7 @@ def test_what_nodes_make_of_uv_coordinates_is_baked(
         assert np.abs(base - shown).mean() < 0.01
 
 
-def test_images_that_are_baked_with_fewer_texels_are_told(
-    open_worker: OpenWorker, tmp_path: Path
-) -> None:
+def test_images_that_are_baked_with_fewer_texels_are_told(open_worker, tmp_path):
     """Like UDIM tiles that together are larger than a baked image."""
     source = {"path": str(print_of(tmp_path)), "changes": [TWO_IMAGES]}
     worker = open_worker(PRINTED.format(**source, shader="ShaderNodeBsdfDiffuse"))
@@ -258,9 +248,7 @@ def test_images_that_are_baked_with_fewer_texels_are_told(
     )
 
 
-def test_what_is_no_function_of_uv_coordinates_is_told(
-    open_worker: OpenWorker, tmp_path: Path
-) -> None:
+def test_what_is_no_function_of_uv_coordinates_is_told(open_worker, tmp_path):
     source = {"path": str(print_of(tmp_path)), "changes": [OF_THE_PLACE]}
     worker = open_worker(PRINTED.format(**source, shader="ShaderNodeBsdfDiffuse"))
     exported = exported_parts(worker, CaptureSettings())
@@ -270,9 +258,7 @@ def test_what_is_no_function_of_uv_coordinates_is_told(
 
 
 @pytest.mark.parametrize("other", [(0.1, 0.3, 0.8), (0.83, 0.12, 0.2), (0.8, 0.1, 0.2)])
-def test_plain_colours_are_factors_where_they_differ(
-    open_worker: OpenWorker, other: tuple[float, float, float]
-) -> None:
+def test_plain_colours_are_factors_where_they_differ(open_worker, other):
     """Planes would mix red and blue; they show two nearly equal reds as well as records do."""
     triangles = "".join(
         f"add([({k}, 0, 0), ({k} + 0.9, 0, 0), ({k}, 0.9, 0)], [(0, 1, 2)], diffuse({color}))\n"
@@ -287,7 +273,7 @@ def test_plain_colours_are_factors_where_they_differ(
     assert sorted(factors) == [pytest.approx(other), pytest.approx((0.8, 0.1, 0.2))]
 
 
-def test_textures_that_planes_blur_are_told() -> None:
+def test_textures_that_planes_blur_are_told():
     """Details of 0.5 mm on a sheet of 1 m, where planes have 3.9 mm; coarse ones are not."""
     sheet = {
         "positions": np.float32([[0, 0, 0], [1, 0, 0], [1, 0, 1], [0, 0, 0], [1, 0, 1], [0, 0, 1]]),

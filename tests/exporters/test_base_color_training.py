@@ -13,7 +13,7 @@ from rna_export.export.decoder import decoders_of
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.optimization.fitting import Fitting
 from rna_export.training.optimization.samples import SampleTable
-from rna_export.training.presets import ANALYTIC, PRESETS, Preset
+from rna_export.training.presets import ANALYTIC, PRESETS
 from rna_export.training.training_run import Run, table_of
 from rna_export.training.validation import answer
 from tests.exporters.synthetic import samples_of_light, tiny
@@ -53,7 +53,7 @@ def error(model: NeuralAsset, samples: dict[str, np.ndarray]) -> float:
     return float(np.square(ours - samples["radiance"]).mean())
 
 
-def test_checks_finer_than_the_planes_are_learnt() -> None:
+def test_checks_finer_than_the_planes_are_learnt():
     samples = printed_samples(20_000)
     with_it, without = (error(trained(samples, uses), samples) for uses in (True, False))
     assert with_it < 0.1 * without
@@ -61,7 +61,7 @@ def test_checks_finer_than_the_planes_are_learnt() -> None:
 
 @pytest.mark.parametrize("shadow", [{"shadow_width": 0}, SHADOW])
 @torch.no_grad()
-def test_decoders_give_what_the_model_does(shadow: dict[str, object]) -> None:
+def test_decoders_give_what_the_model_does(shadow):
     torch.manual_seed(0)
     model = NeuralAsset(tiny().model.model_copy(update={"uses_base_color": True, **shadow}), BOUNDS)
     model.triplane.planes.data.normal_()
@@ -92,9 +92,7 @@ SURFACE = PRESETS["surface"]
         (ANALYTIC, IMAGE, False),
     ],
 )
-def test_rows_have_the_base_colour_that_the_model_reads(
-    preset: Preset, record: Any, is_read: bool
-) -> None:
+def test_rows_have_the_base_colour_that_the_model_reads(preset, record, is_read):
     dataset: Any = SimpleNamespace(captured=SimpleNamespace(base_color=(record,)))
     table = table_of(Run(dataset, preset, "any", Path("none")), printed_samples(50))
     assert ("base_color" in table.fields) == is_read

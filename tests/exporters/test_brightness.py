@@ -14,7 +14,7 @@ def scaled(lit: float, shadowed: float) -> np.ndarray:
     return REFERENCE * np.where(VISIBLE, lit, shadowed)[:, None]
 
 
-def test_lit_and_shadowed_are_told_apart() -> None:
+def test_lit_and_shadowed_are_told_apart():
     images = [(scaled(0.9, 0.7)[:400], REFERENCE[:400], VISIBLE[:400])]
     images += [(scaled(0.9, 0.7)[400:], REFERENCE[400:], VISIBLE[400:])]
     actual = brightness(images)
@@ -23,7 +23,7 @@ def test_lit_and_shadowed_are_told_apart() -> None:
     assert actual.shadow_share == pytest.approx([0.4] * 3, abs=0.05)
 
 
-def test_coloured_visibility_is_lit_where_most_passes() -> None:
+def test_coloured_visibility_is_lit_where_most_passes():
     coloured = VISIBLE[:, None] * np.array([1.0, 0.9, 0.3])
     actual = brightness([(scaled(0.5, 1.0), REFERENCE, coloured)])
     assert actual.lit == pytest.approx([0.5] * 3)
@@ -32,10 +32,10 @@ def test_coloured_visibility_is_lit_where_most_passes() -> None:
 @pytest.mark.parametrize(
     ("lit", "shadowed", "faults"), [(1.0, 1.0, 0), (1.015, 0.96, 0), (0.97, 1.0, 1), (1.05, 0.9, 2)]
 )
-def test_faults(lit: float, shadowed: float, faults: int) -> None:
+def test_faults(lit, shadowed, faults):
     assert len(brightness([(scaled(lit, shadowed), REFERENCE, VISIBLE)]).faults) == faults
 
 
-def test_an_asset_without_shadow_has_no_fault_in_it() -> None:
+def test_an_asset_without_shadow_has_no_fault_in_it():
     actual = brightness([(REFERENCE, REFERENCE, np.ones(1000))])
     assert np.isnan(actual.shadowed).all() and not actual.faults

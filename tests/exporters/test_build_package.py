@@ -30,7 +30,7 @@ class Exported:
 
 
 @pytest.fixture(scope="module")
-def exported(tmp_path_factory: pytest.TempPathFactory) -> Exported:
+def exported(tmp_path_factory):
     folder = tmp_path_factory.mktemp("export")
     dataset = make_dataset(folder / "ball.rays", domain="hemisphere")
     with pytest.MonkeyPatch.context() as patch:
@@ -58,11 +58,11 @@ def evaluate(package: Path, tier: str, dataset: DatasetPart) -> list[np.ndarray]
     return radiance
 
 
-def test_the_package_is_valid(exported: Exported) -> None:
+def test_the_package_is_valid(exported):
     assert validate(exported.package) == []
 
 
-def test_an_asset_is_named_for_its_source_or_as_one_wishes(exported: Exported) -> None:
+def test_an_asset_is_named_for_its_source_or_as_one_wishes(exported):
     """A name for people: no file is named so, whatever characters it has."""
     with Package.open(exported.package) as package:
         assert package.manifest.name == "ball" and package.manifest.provenance.source == "a ball"
@@ -77,7 +77,7 @@ def test_an_asset_is_named_for_its_source_or_as_one_wishes(exported: Exported) -
     assert {path.name for path in out.parent.iterdir()} - files == {out.name}
 
 
-def test_a_tier_a_checkpoint_in_their_order(exported: Exported) -> None:
+def test_a_tier_a_checkpoint_in_their_order(exported):
     with Package.open(exported.package) as package:
         assert [tier.name for tier in package.manifest.tiers] == ["small", "paper-small"]
         assert package.manifest.tiers[0].parts[0].inputs == tiny("small").model.inputs
@@ -85,7 +85,7 @@ def test_a_tier_a_checkpoint_in_their_order(exported: Exported) -> None:
 
 
 @pytest.mark.parametrize("tier", ["small", "paper-small"])
-def test_the_runtime_answers_what_pytorch_answers(exported: Exported, tier: str) -> None:
+def test_the_runtime_answers_what_pytorch_answers(exported, tier):
     model = load_checkpoint(exported.checkpoints[tier]).model
     views = exported.dataset.validation_views()
     for actual, view in zip(evaluate(exported.package, tier, exported.dataset), views, strict=True):
@@ -96,7 +96,7 @@ def test_the_runtime_answers_what_pytorch_answers(exported: Exported, tier: str)
 
 
 @pytest.mark.parametrize("tier", ["small", "paper-small"])
-def test_the_recorded_error_is_what_a_host_gets(exported: Exported, tier: str) -> None:
+def test_the_recorded_error_is_what_a_host_gets(exported, tier):
     radiance = evaluate(exported.package, tier, exported.dataset)
     views = exported.dataset.validation_views()
     with Package.open(exported.package) as package:
@@ -111,7 +111,7 @@ def test_the_recorded_error_is_what_a_host_gets(exported: Exported, tier: str) -
 
 
 @pytest.mark.parametrize("tier", ["small", "paper-small"])
-def test_the_error_of_small_images_is_recorded(exported: Exported, tier: str) -> None:
+def test_the_error_of_small_images_is_recorded(exported, tier):
     radiance = evaluate(exported.package, tier, exported.dataset)
     views = exported.dataset.validation_views()
     with Package.open(exported.package) as package:
@@ -133,7 +133,7 @@ def test_the_error_of_small_images_is_recorded(exported: Exported, tier: str) ->
     assert half.flip == pytest.approx(asset_flip(flips).mean, abs=1e-6)
 
 
-def test_cost_and_agreement_are_recorded(exported: Exported) -> None:
+def test_cost_and_agreement_are_recorded(exported):
     with Package.open(exported.package) as package:
         small, paper = package.manifest.tiers
     of_shadows = 20 * 8 + 2 * 8 * 8 + 8 * 3  # a decoder of its own
@@ -143,7 +143,7 @@ def test_cost_and_agreement_are_recorded(exported: Exported) -> None:
         assert 0.0 <= tier.parts[0].agreement.max_relative < 1e-4
 
 
-def test_where_it_came_from_is_recorded(exported: Exported) -> None:
+def test_where_it_came_from_is_recorded(exported):
     with Package.open(exported.package) as package:
         manifest = package.manifest
     assert (manifest.domain.wo, manifest.domain.wi) == ("hemisphere", "hemisphere")
@@ -162,7 +162,7 @@ def refusal(capsys, *arguments: object) -> str:
     return error
 
 
-def test_the_same_preset_twice_is_refused(exported: Exported, tmp_path: Path, capsys) -> None:
+def test_the_same_preset_twice_is_refused(exported, tmp_path, capsys):
     one = exported.checkpoints["small"]
     assert "asset, asset; expected one of each part: asset" in refusal(
         capsys, one, one, "--out", tmp_path / "x.rna"
@@ -170,7 +170,7 @@ def test_the_same_preset_twice_is_refused(exported: Exported, tmp_path: Path, ca
     assert not (tmp_path / "x.rna").exists()
 
 
-def test_another_assets_checkpoint_is_refused(exported: Exported, tmp_path: Path, capsys) -> None:
+def test_another_assets_checkpoint_is_refused(exported, tmp_path, capsys):
     other = make_dataset(tmp_path / "other.rays", seed=9)
     error = refusal(
         capsys,
@@ -183,9 +183,7 @@ def test_another_assets_checkpoint_is_refused(exported: Exported, tmp_path: Path
     assert "expected the dataset's" in error
 
 
-def test_planes_that_float16_cannot_hold_are_refused(
-    exported: Exported, tmp_path: Path, capsys
-) -> None:
+def test_planes_that_float16_cannot_hold_are_refused(exported, tmp_path, capsys):
     saved = torch.load(exported.checkpoints["small"], weights_only=True)
     for name, value in saved["model"].items():
         if name.startswith("triplane.") and value.ndim == 4:

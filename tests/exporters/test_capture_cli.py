@@ -2,7 +2,6 @@
 
 import hashlib
 import sys
-from pathlib import Path
 
 import pytest
 
@@ -16,20 +15,20 @@ from tests.render.assets import sphere
 
 
 @pytest.fixture
-def source(tmp_path: Path) -> Path:
+def source(tmp_path):
     path = tmp_path / "asset.py"
     path.write_text("pass")
     return path
 
 
 @pytest.fixture
-def some_python(monkeypatch: pytest.MonkeyPatch) -> None:
+def some_python(monkeypatch):
     """An interpreter is named; it has no bpy, and nothing here gets as far as starting it."""
     monkeypatch.setenv(blender_env.VARIABLE, sys.executable)
 
 
 @pytest.fixture
-def begun(source: Path, tmp_path: Path) -> Path:
+def begun(source, tmp_path):
     """A dataset begun from `source` with the default settings."""
     sha256 = hashlib.sha256(source.read_bytes()).hexdigest()
     manifest = manifest_of(
@@ -48,9 +47,7 @@ def refusal(capsys: pytest.CaptureFixture[str], *arguments: object) -> str:
     return error
 
 
-def test_without_blender_it_says_how_to_get_it(
-    source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys
-) -> None:
+def test_without_blender_it_says_how_to_get_it(source, tmp_path, monkeypatch, capsys):
     monkeypatch.delenv(blender_env.VARIABLE, raising=False)
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "empty"))
     error = refusal(capsys, source, "--out", tmp_path / "x.rays")
@@ -58,15 +55,13 @@ def test_without_blender_it_says_how_to_get_it(
     assert not (tmp_path / "x.rays").exists()
 
 
-def test_a_named_interpreter_that_is_not_there(
-    source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys
-) -> None:
+def test_a_named_interpreter_that_is_not_there(source, tmp_path, monkeypatch, capsys):
     monkeypatch.setenv(blender_env.VARIABLE, "/nowhere/python")
     assert "/nowhere/python" in refusal(capsys, source, "--out", tmp_path / "x.rays")
 
 
 @pytest.mark.parametrize(("name", "actual"), [("gone.blend", "no such file"), ("a.stl", "'.stl'")])
-def test_a_bad_source(tmp_path: Path, name: str, actual: str, capsys) -> None:
+def test_a_bad_source(tmp_path, name, actual, capsys):
     if name == "a.stl":
         (tmp_path / name).write_bytes(b"")
     error = refusal(capsys, tmp_path / name, "--out", tmp_path / "x.rays")
@@ -85,9 +80,7 @@ def test_a_bad_source(tmp_path: Path, name: str, actual: str, capsys) -> None:
         "--workers 0",
     ],
 )
-def test_a_number_that_makes_no_sense(
-    option: str, source: Path, tmp_path: Path, some_python: None, capsys
-) -> None:
+def test_a_number_that_makes_no_sense(option, source, tmp_path, some_python, capsys):
     with pytest.raises(SystemExit) as exit_:
         main([str(source), "--out", str(tmp_path / "x.rays"), *option.split()])
     assert exit_.value.code == 2
@@ -112,7 +105,7 @@ def test_a_number_that_makes_no_sense(
         ["a.blend", "--out", "x", "--estimate"],
     ],
 )
-def test_wrong_usage_exits_with_2(arguments: list[str], capsys) -> None:
+def test_wrong_usage_exits_with_2(arguments, capsys):
     with pytest.raises(SystemExit) as exit_:
         main(arguments)
     assert exit_.value.code == 2
@@ -130,9 +123,7 @@ def test_wrong_usage_exits_with_2(arguments: list[str], capsys) -> None:
         ("--poses", "7"),
     ],
 )
-def test_other_settings_are_refused_on_resume(
-    option: str, value: object, source: Path, begun: Path, some_python: None, capsys
-) -> None:
+def test_other_settings_are_refused_on_resume(option, value, source, begun, some_python, capsys):
     error = refusal(capsys, source, "--out", begun, option, value)
     assert option.strip("-").replace("-", "_") in error and str(value) in error
 
@@ -144,18 +135,14 @@ lights: [{type: directional, direction: [1, 0, 0], irradiance: [1, 1, 1]}]
 """
 
 
-def test_another_scene_is_refused_on_resume(
-    source: Path, begun: Path, some_python: None, capsys
-) -> None:
+def test_another_scene_is_refused_on_resume(source, begun, some_python, capsys):
     scene = source.parent / "scene.yaml"
     scene.write_text(SCENE)
     error = refusal(capsys, source, "--out", begun, "--for", scene)
     assert f"started for other view or light directions than {scene}" in error
 
 
-def test_a_scene_that_is_not_one_is_refused(
-    source: Path, tmp_path: Path, some_python: None, capsys
-) -> None:
+def test_a_scene_that_is_not_one_is_refused(source, tmp_path, some_python, capsys):
     scene = tmp_path / "scene.yaml"
     scene.write_text("assets: 7")
     assert "scene.yaml:1: assets" in refusal(
@@ -164,22 +151,16 @@ def test_a_scene_that_is_not_one_is_refused(
     assert not (tmp_path / "x.rays").exists()
 
 
-def test_another_source_is_refused_on_resume(
-    source: Path, begun: Path, some_python: None, capsys
-) -> None:
+def test_another_source_is_refused_on_resume(source, begun, some_python, capsys):
     source.write_text("pass  # changed")
     assert "another asset.py" in refusal(capsys, source, "--out", begun)
 
 
-def test_other_arguments_are_refused_on_resume(
-    source: Path, begun: Path, some_python: None, capsys
-) -> None:
+def test_other_arguments_are_refused_on_resume(source, begun, some_python, capsys):
     assert "other arguments" in refusal(capsys, source, "--out", begun, "--", "blue")
 
 
-def test_an_environment_that_was_not_finished_is_not_taken(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_environment_that_was_not_finished_is_not_taken(tmp_path, monkeypatch):
     monkeypatch.delenv(blender_env.VARIABLE, raising=False)
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     python = blender_env.default_folder() / "bin" / "python"
@@ -189,9 +170,7 @@ def test_an_environment_that_was_not_finished_is_not_taken(
         blender_env.find_python()
 
 
-def test_help_of_a_groom_needs_no_file_no_folder_and_no_blender(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys
-) -> None:
+def test_help_of_a_groom_needs_no_file_no_folder_and_no_blender(tmp_path, monkeypatch, capsys):
     monkeypatch.setenv(blender_env.VARIABLE, "/nowhere/python")
     assert main([str(tmp_path / "groom.tfx"), "--", "--help"]) == 0
     text = capsys.readouterr().out
@@ -206,12 +185,12 @@ def test_help_of_a_groom_needs_no_file_no_folder_and_no_blender(
         ("pass", 1, "the script has no --help of its own"),
     ],
 )
-def test_help_of_a_script_is_its_own(body: str, status: int, text: str, source: Path, capfd):
+def test_help_of_a_script_is_its_own(body, status, text, source, capfd):
     source.write_text(body)
     assert main([str(source), "--", "--help"]) == status
     said = capfd.readouterr()
     assert text in said.out + said.err
 
 
-def test_what_takes_no_arguments_says_so(tmp_path: Path, capsys) -> None:
+def test_what_takes_no_arguments_says_so(tmp_path, capsys):
     assert "nothing can follow --" in refusal(capsys, tmp_path / "a.gltf", "--", "-h")

@@ -25,7 +25,7 @@ SHARDS = 8
 
 
 @pytest.fixture(scope="module")
-def source(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def source(tmp_path_factory):
     folder = tmp_path_factory.mktemp("source")
     return write_scene(
         folder, "ball", "add(*BALL, principled(Roughness=0.3, Subsurface_Weight=0.5))"
@@ -33,7 +33,7 @@ def source(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def uninterrupted(source: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def uninterrupted(source, tmp_path_factory):
     out = tmp_path_factory.mktemp("whole") / "ball.rays"
     capture(source, out, workers=2)
     return out
@@ -101,9 +101,7 @@ def running(pid: int) -> bool:
     return stat.rsplit(")", 1)[1].split()[0] != "Z"
 
 
-def test_kill_minus_9_keeps_finished_shards(
-    source: Path, uninterrupted: Path, tmp_path: Path
-) -> None:
+def test_kill_minus_9_keeps_finished_shards(source, uninterrupted, tmp_path):
     out = tmp_path / "ball.rays"
     process = started(source, out, workers=2)
     wait_for_shards(process, out, 3)
@@ -137,9 +135,7 @@ def counted(python: Path, folder: Path) -> tuple[Path, Path]:
     return script, starts
 
 
-def test_ctrl_c_stops_soon_and_can_be_continued(
-    source: Path, uninterrupted: Path, blender_python: Path, tmp_path: Path
-) -> None:
+def test_ctrl_c_stops_soon_and_can_be_continued(source, uninterrupted, blender_python, tmp_path):
     out = tmp_path / "ball.rays"
     python, starts = counted(blender_python, tmp_path)
     process = started(source, out, workers=2, python=python)
@@ -159,9 +155,7 @@ def test_ctrl_c_stops_soon_and_can_be_continued(
     assert resumed.keys() == state(uninterrupted).keys()
 
 
-def test_a_finished_capture_says_what_is_next(
-    source: Path, uninterrupted: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_finished_capture_says_what_is_next(source, uninterrupted, capsys):
     before = state(uninterrupted)
     capture(source, uninterrupted, workers=1)
     assert state(uninterrupted) == before
@@ -169,7 +163,7 @@ def test_a_finished_capture_says_what_is_next(
     assert f"wrote {uninterrupted}" in said and "next: rna-train" in said
 
 
-def test_what_a_capture_holds(uninterrupted: Path) -> None:
+def test_what_a_capture_holds(uninterrupted):
     samples = Dataset(uninterrupted).only.training_samples()
     n = len(samples["visible"])
     assert 0.98 * 256 * 64 < n <= 256 * 64
@@ -183,7 +177,7 @@ def test_what_a_capture_holds(uninterrupted: Path) -> None:
     assert samples["radiance"][~dark].mean() > 3 * samples["radiance"][dark].mean()
 
 
-def test_validation_views_are_two_independent_halves(uninterrupted: Path) -> None:
+def test_validation_views_are_two_independent_halves(uninterrupted):
     dataset = Dataset(uninterrupted).only
     views = dataset.validation_views()
     assert len(views) == 2

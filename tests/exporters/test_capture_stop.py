@@ -70,7 +70,7 @@ class Task:
 
 
 @pytest.fixture
-def blender(monkeypatch: pytest.MonkeyPatch) -> Blender:
+def blender(monkeypatch):
     blender = Blender()
     monkeypatch.setattr(capture_worker, "BlenderWorker", lambda *_, **__: blender)
     monkeypatch.setattr(capture_worker, "opened", lambda *_: (DATASET, None))
@@ -87,7 +87,7 @@ def pool(tmp_path: Path) -> Pool[Any, None]:
     return Pool(Threads(1), lambda name: CaptureWorker(job, name), attempts=2)
 
 
-def test_ctrl_c_ends_blender_and_repeats_nothing(blender: Blender, tmp_path: Path) -> None:
+def test_ctrl_c_ends_blender_and_repeats_nothing(blender, tmp_path):
     stopped, later = Task(tmp_path), Task(tmp_path)
 
     def items() -> Any:
@@ -106,7 +106,7 @@ def test_ctrl_c_ends_blender_and_repeats_nothing(blender: Blender, tmp_path: Pat
     assert (stopped.runs, later.runs, blender.killed.is_set()) == (1, 0, True)
 
 
-def test_a_task_is_repeated_once_where_blender_died(blender: Blender, tmp_path: Path) -> None:
+def test_a_task_is_repeated_once_where_blender_died(blender, tmp_path):
     task = Task(tmp_path, failures=1)
     with pool(tmp_path) as workers:
         [outcome] = workers.run([task])
@@ -118,9 +118,7 @@ def test_a_task_is_repeated_once_where_blender_died(blender: Blender, tmp_path: 
     assert isinstance(outcome.failure, CaptureError) and task.runs == 2
 
 
-def test_what_a_lost_worker_had_finished_is_not_done_again(
-    blender: Blender, tmp_path: Path
-) -> None:
+def test_what_a_lost_worker_had_finished_is_not_done_again(blender, tmp_path):
     (tmp_path / "shard").touch()
     task = Task(tmp_path)
     with pool(tmp_path) as workers:
@@ -128,7 +126,7 @@ def test_what_a_lost_worker_had_finished_is_not_done_again(
     assert task.runs == 0
 
 
-def test_blender_is_fresh_after_a_dozen_tasks(blender: Blender, tmp_path: Path) -> None:
+def test_blender_is_fresh_after_a_dozen_tasks(blender, tmp_path):
     tasks = [Task(tmp_path, failures=0) for _ in range(25)]
     with pool(tmp_path) as workers:
         list(workers.run(tasks))

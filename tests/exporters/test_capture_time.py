@@ -41,7 +41,7 @@ class Clock:
 
 
 @pytest.fixture
-def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
+def clock(monkeypatch):
     clock = Clock()
     monkeypatch.setattr(time_plan, "monotonic", clock)
     monkeypatch.setattr(pool, "monotonic", clock)
@@ -57,9 +57,7 @@ def seconds(settings: CaptureSettings, rate: float) -> tuple[float, float]:
     ("kind", "minutes", "rate"),
     [("surface", 5, SURFACE_RATE), ("surface", 1, SURFACE_RATE), ("fiber", 8, FIBER_RATE)],
 )
-def test_validation_images_take_15_percent_at_most(
-    kind: str, minutes: float, rate: float, clock: Clock
-) -> None:
+def test_validation_images_take_15_percent_at_most(kind, minutes, rate, clock):
     usual = CaptureSettings.usual(kind)
     assert seconds(usual, rate)[0] > 0.15 * 60.0 * minutes
     settings = planned(usual, kind, TimeLimit(minutes, 0.0), 10.0, rate, ())
@@ -73,7 +71,7 @@ def test_validation_images_take_15_percent_at_most(
     assert settings.validation_samples < usual.validation_samples
 
 
-def test_with_time_enough_they_stay_as_they_are(clock: Clock) -> None:
+def test_with_time_enough_they_stay_as_they_are(clock):
     usual = CaptureSettings.usual("surface")
     settings = planned(usual, "surface", TimeLimit(60.0, 0.0), 10.0, SURFACE_RATE, ())
     changed = {"lights": settings.lights, "lights_per_shard": settings.lights_per_shard}
@@ -85,9 +83,7 @@ def test_with_time_enough_they_stay_as_they_are(clock: Clock) -> None:
 @pytest.mark.parametrize(
     ("minutes", "lights", "rays"), [(30.0, None, 4096), (5.0, 2000, None), (1.0, None, 1024)]
 )
-def test_lights_of_surfaces_have_fewer_rays_rather_than_being_few(
-    minutes: float, lights: int | None, rays: int | None, clock: Clock
-) -> None:
+def test_lights_of_surfaces_have_fewer_rays_rather_than_being_few(minutes, lights, rays, clock):
     usual, limit = CaptureSettings.usual("surface"), TimeLimit(minutes, 0.0)
     settings = planned(usual, "surface", limit, 10.0, SURFACE_RATE, ())
     fixed = planned(usual, "surface", limit, 10.0, SURFACE_RATE, ("rays",))
@@ -98,14 +94,14 @@ def test_lights_of_surfaces_have_fewer_rays_rather_than_being_few(
 
 
 @pytest.mark.parametrize("option", ["validation_resolution", "validation_samples"])
-def test_what_was_asked_for_stays(option: str, clock: Clock) -> None:
+def test_what_was_asked_for_stays(option, clock):
     usual = CaptureSettings.usual("surface")
     settings = planned(usual, "surface", TimeLimit(5.0, 0.0), 10.0, SURFACE_RATE, (option,))
     assert getattr(settings, option) == getattr(usual, option)
     assert seconds(settings, SURFACE_RATE)[0] == pytest.approx(0.12 * 300.0, rel=0.15)
 
 
-def test_too_few_minutes_are_refused(clock: Clock) -> None:
+def test_too_few_minutes_are_refused(clock):
     fiber, message = (
         CaptureSettings.usual("fiber"),
         r"--minutes 0\.2 leaves .* --minutes (\d+) would",
@@ -121,7 +117,7 @@ def test_too_few_minutes_are_refused(clock: Clock) -> None:
 
 
 @pytest.fixture
-def dataset(tmp_path: Path) -> Dataset:
+def dataset(tmp_path):
     manifest = manifest_of(CaptureSettings(lights=320, validation_views=1))
     return Dataset.create(tmp_path / "ball.rays", manifest, {"asset": sphere(1)})
 
@@ -143,9 +139,7 @@ class WithoutBlender(CaptureWorker):
 
 
 @pytest.mark.parametrize(("a_task", "shards"), [(5.0, 10), (10.0, 4), (20.0, 1), (200.0, 1)])
-def test_a_slow_capture_ends_in_time(
-    a_task: float, shards: int, dataset: Dataset, clock: Clock, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_slow_capture_ends_in_time(a_task, shards, dataset, clock, monkeypatch):
     def run(task: Task, dataset: Dataset, *_: object) -> None:
         clock.now += 0.0 if isinstance(task, WhiteRays) else a_task
         rays = 32 * dataset.manifest.settings.rays
@@ -167,9 +161,7 @@ def test_a_slow_capture_ends_in_time(
 
 
 @pytest.mark.parametrize(("a_half", "images"), [(2.0, 5), (8.0, 3), (200.0, 2)])
-def test_images_of_a_slow_machine_are_fewer(
-    a_half: float, images: int, tmp_path: Path, clock: Clock, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_images_of_a_slow_machine_are_fewer(a_half, images, tmp_path, clock, monkeypatch):
     def run(task: ValidationHalf, dataset: Dataset, *_: object) -> None:
         clock.now += a_half
         write_parts(task.path(dataset), {"asset": {"wo": np.zeros((1, 3), np.float32)}})
@@ -188,7 +180,7 @@ def test_images_of_a_slow_machine_are_fewer(
 
 
 @pytest.mark.parametrize(("lights", "shard"), [(3520, 32), (1024, 32), (512, 16), (64, 2), (3, 1)])
-def test_there_are_32_shards_where_there_are_lights(lights: int, shard: int) -> None:
+def test_there_are_32_shards_where_there_are_lights(lights, shard):
     settings = CaptureSettings.usual("surface", lights=lights)
     assert settings.shared_out().lights_per_shard == shard
     assert settings.shared_out().lights == lights

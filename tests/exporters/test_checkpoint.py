@@ -2,14 +2,11 @@ import os
 import re
 import struct
 import zipfile
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
 import torch
 
-from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training.checkpoint import load_checkpoint, load_progress
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.presets import ModelConfig
@@ -20,13 +17,13 @@ from tests.exporters.synthetic import tiny
 
 
 @pytest.fixture(scope="module")
-def checkpoint(dataset: DatasetPart, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def checkpoint(dataset, tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(Curves, "draw", lambda _: None)
         return train(Run(dataset, tiny(steps=10), "small", tmp_path_factory.mktemp("run"), seed=3))
 
 
-def test_says_all_that_is_needed_to_repeat_it(checkpoint: Path, dataset: DatasetPart) -> None:
+def test_says_all_that_is_needed_to_repeat_it(checkpoint, dataset):
     trained = load_checkpoint(checkpoint)
     rows = len(dataset.training_samples()["wo"])
     assert trained.preset == tiny(steps=10, loss="log").for_rows(rows)  # a capture without noise
@@ -45,7 +42,7 @@ class Exploit:
         return os.mkdir, (str(self.folder),)
 
 
-def test_a_checkpoint_runs_no_code(checkpoint: Path, tmp_path: Path) -> None:
+def test_a_checkpoint_runs_no_code(checkpoint, tmp_path):
     saved = torch.load(checkpoint, weights_only=True)
     saved["record"]["exploit"] = Exploit(tmp_path / "made")
     torch.save(saved, tmp_path / "bad.ckpt")
@@ -55,7 +52,7 @@ def test_a_checkpoint_runs_no_code(checkpoint: Path, tmp_path: Path) -> None:
 
 
 @pytest.fixture(params=["export", "continue"])
-def refuses(request: pytest.FixtureRequest) -> Callable[[Path], None]:
+def refuses(request):
     """That the reader of rna-export, or of a run that goes on, refuses a file in one line."""
     load, error = {
         "export": (load_checkpoint, ExportError),
@@ -89,11 +86,11 @@ def refuses(request: pytest.FixtureRequest) -> Callable[[Path], None]:
     ],
 )
 def test_a_damaged_checkpoint_is_refused(
-    checkpoint: Path,
-    tmp_path: Path,
-    damage: Callable[[dict[str, Any]], None],
-    refuses: Callable[[Path], None],
-) -> None:
+    checkpoint,
+    tmp_path,
+    damage,
+    refuses,
+):
     saved = torch.load(checkpoint, weights_only=True)
     damage(saved)
     torch.save(saved, tmp_path / "bad.ckpt")
@@ -101,38 +98,32 @@ def test_a_damaged_checkpoint_is_refused(
 
 
 @pytest.mark.parametrize("content", [b"", b"not a checkpoint", b"PK\x03\x04 half a zip"])
-def test_another_file_is_refused(
-    tmp_path: Path, content: bytes, refuses: Callable[[Path], None]
-) -> None:
+def test_another_file_is_refused(tmp_path, content, refuses):
     (tmp_path / "x.ckpt").write_bytes(content)
     refuses(tmp_path / "x.ckpt")
 
 
 @pytest.mark.parametrize("share", [0.1, 0.5, 0.99])
-def test_a_checkpoint_cut_short_is_refused(
-    checkpoint: Path, tmp_path: Path, share: float, refuses: Callable[[Path], None]
-) -> None:
+def test_a_checkpoint_cut_short_is_refused(checkpoint, tmp_path, share, refuses):
     data = checkpoint.read_bytes()
     (tmp_path / "cut.ckpt").write_bytes(data[: int(share * len(data))])
     refuses(tmp_path / "cut.ckpt")
 
 
-def test_a_model_alone_cannot_be_trained_on(checkpoint: Path, tmp_path: Path) -> None:
+def test_a_model_alone_cannot_be_trained_on(checkpoint, tmp_path):
     saved = torch.load(checkpoint, weights_only=True)
     torch.save(saved, tmp_path / "last.ckpt")
     with pytest.raises(TrainingError, match="progress"):
         load_progress(tmp_path / "last.ckpt")
 
 
-def test_a_run_tells_of_a_damaged_checkpoint_of_its_own(
-    dataset: DatasetPart, tmp_path: Path
-) -> None:
+def test_a_run_tells_of_a_damaged_checkpoint_of_its_own(dataset, tmp_path):
     (tmp_path / "last.ckpt").write_bytes(b"damaged")
     with pytest.raises(TrainingError, match=r"last\.ckpt.*delete it"):
         train(Run(dataset, tiny(steps=10), "small", tmp_path))
 
 
-def test_no_file_is_refused(tmp_path: Path) -> None:
+def test_no_file_is_refused(tmp_path):
     with pytest.raises(ExportError, match="no such file"):
         load_checkpoint(tmp_path / "gone.ckpt")
 
@@ -147,12 +138,12 @@ def test_no_file_is_refused(tmp_path: Path) -> None:
     ],
 )
 def test_a_small_file_asks_for_no_large_model(
-    change: dict[str, int],
-    checkpoint: Path,
-    tmp_path: Path,
-    refuses: Callable[[Path], None],
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+    change,
+    checkpoint,
+    tmp_path,
+    refuses,
+    monkeypatch,
+):
     """It is refused before a model takes memory."""
     made, init = [], NeuralAsset.__init__
 
@@ -168,9 +159,7 @@ def test_a_small_file_asks_for_no_large_model(
     assert "cpu" not in made
 
 
-def test_weights_that_repeat_one_number_are_refused(
-    checkpoint: Path, tmp_path: Path, refuses: Callable[[Path], None]
-) -> None:
+def test_weights_that_repeat_one_number_are_refused(checkpoint, tmp_path, refuses):
     saved = torch.load(checkpoint, weights_only=True)
     saved["record"]["preset"]["model"]["resolution"] = 4000
     shape = saved["model"]["triplane.planes"].shape
@@ -179,9 +168,7 @@ def test_weights_that_repeat_one_number_are_refused(
     refuses(tmp_path / "repeats.ckpt")
 
 
-def test_compressed_records_are_refused(
-    checkpoint: Path, tmp_path: Path, refuses: Callable[[Path], None]
-) -> None:
+def test_compressed_records_are_refused(checkpoint, tmp_path, refuses):
     packed = tmp_path / "packed.ckpt"
     with (
         zipfile.ZipFile(checkpoint) as plain,
@@ -192,9 +179,7 @@ def test_compressed_records_are_refused(
     refuses(packed)
 
 
-def test_torch_reads_the_records_that_were_checked(
-    checkpoint: Path, tmp_path: Path, refuses: Callable[[Path], None]
-) -> None:
+def test_torch_reads_the_records_that_were_checked(checkpoint, tmp_path, refuses):
     """Two directories: torch finds that of the compressed records, Python that which denies it."""
     with zipfile.ZipFile(checkpoint) as plain:
         names = plain.namelist()

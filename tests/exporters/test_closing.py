@@ -38,7 +38,7 @@ def darkened(part: DatasetPart, factor: float) -> DatasetPart:
     return Dataset(part.folder).only
 
 
-def test_little_work_is_told_and_warned_of(tmp_path: Path) -> None:
+def test_little_work_is_told_and_warned_of(tmp_path):
     part = make_dataset(tmp_path / "ball.rays")
     best = trained(part, tmp_path / "run")
     score, light, title, *came_true, warning = training_lines(best, part)
@@ -57,7 +57,7 @@ def test_little_work_is_told_and_warned_of(tmp_path: Path) -> None:
         assert sheet.width == 4 * 6 * 24  # enlarged
 
 
-def test_the_usual_work_is_no_warning() -> None:
+def test_the_usual_work_is_no_warning():
     assert Effort(40_000, 40_000, 2_000, 2_000).warnings(0.2) == []
     assert str(Effort(100_000, 40_000, 3_520, 2_000)) == "100,000 steps, 3,520 lights"
     assert Effort(4_000, 40_000, 200, 2_000).warnings(0.2) == []
@@ -66,13 +66,13 @@ def test_the_usual_work_is_no_warning() -> None:
 
 
 @pytest.mark.parametrize(("flip", "is_sketch"), [(0.034, False), (0.12, True), (None, True)])
-def test_a_good_model_is_not_called_a_sketch(flip: float | None, is_sketch: bool) -> None:
+def test_a_good_model_is_not_called_a_sketch(flip, is_sketch):
     (line,) = Effort(4_000, 40_000, 160, 2_000).warnings(flip)
     assert ("a sketch" in line) == is_sketch == line.startswith("warning: ")
     assert line.endswith("enough for this error") != is_sketch
 
 
-def test_an_export_says_it_again_with_the_notes_of_the_capture(tmp_path: Path) -> None:
+def test_an_export_says_it_again_with_the_notes_of_the_capture(tmp_path):
     part = make_dataset(tmp_path / "ball.rays")
     dataset = part.dataset
     notes = ("texture wood.png: no such file; black",)
@@ -95,7 +95,7 @@ def test_an_export_says_it_again_with_the_notes_of_the_capture(tmp_path: Path) -
     assert worst_of(package).is_file()
 
 
-def test_a_cut_of_direct_light_is_a_note(tmp_path: Path) -> None:
+def test_a_cut_of_direct_light_is_a_note(tmp_path):
     manifest = make_dataset(tmp_path / "ball.rays").dataset.manifest
     assert manifest.all_notes == manifest.notes == ()
     settings = manifest.settings.model_copy(update={"clamp_direct": 20.0})
@@ -103,7 +103,7 @@ def test_a_cut_of_direct_light_is_a_note(tmp_path: Path) -> None:
     assert "cut at a radiance of 20" in note and "capture the source again" in note
 
 
-def test_strands_are_told_in_pixels_of_several_rays(tmp_path: Path) -> None:
+def test_strands_are_told_in_pixels_of_several_rays(tmp_path):
     dataset = make(tmp_path / "spikes.rays", {"asset": spikes(400, radius=0.05)})
     preset = tiny(kind="fiber")
     best = train(Run(dataset.only, preset, "small", tmp_path / "run"), say=lambda _: None)
@@ -118,7 +118,7 @@ def test_strands_are_told_in_pixels_of_several_rays(tmp_path: Path) -> None:
     assert tier.validation.flip_at_height[0].height == views[0].resolution // 4
 
 
-def test_a_black_reference_is_a_warning_and_no_record(tmp_path: Path) -> None:
+def test_a_black_reference_is_a_warning_and_no_record(tmp_path):
     part = darkened(make_dataset(tmp_path / "ball.rays"), 0.0)
     models = [load_checkpoint(trained(part, tmp_path / "run"))]
     package = tmp_path / "ball.rna"
@@ -129,7 +129,7 @@ def test_a_black_reference_is_a_warning_and_no_record(tmp_path: Path) -> None:
     assert any(line.startswith("warning: the validation images are black") for line in lines)
 
 
-def test_a_dark_asset_has_the_scores_of_a_bright_one(tmp_path: Path) -> None:
+def test_a_dark_asset_has_the_scores_of_a_bright_one(tmp_path):
     bright = make_dataset(tmp_path / "ball.rays")
     views = bright.validation_views()
     off = [np.full_like(v.reference, v.reference.mean()) for v in views]
@@ -142,7 +142,7 @@ def test_a_dark_asset_has_the_scores_of_a_bright_one(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("width", "times"), [(56, 3), (127, 2), (128, 1), (320, 1)])
-def test_small_pictures_of_a_sheet_are_enlarged(width: int, times: int) -> None:
+def test_small_pictures_of_a_sheet_are_enlarged(width, times):
     dot = (200, 0, 0)
     pictures = [np.full((20, width, 3), value, np.uint8) for value in (40, 80, 120, 160)]
     pictures[0][3, 5] = dot

@@ -28,7 +28,7 @@ MESH = Mesh(CORNERS, np.float32([[0, 1, 0]] * 4), None, np.uint32([[0, 1, 2], [0
 STRANDS = Curves(CORNERS, np.full(4, 0.02, np.float32), np.uint32([0, 2, 4]))
 
 
-def test_three_cameras_by_three_suns_and_a_white_world() -> None:
+def test_three_cameras_by_three_suns_and_a_white_world():
     pictures = shots([MESH], 32)
     assert len(pictures) == 12
     assert len({tuple(shot.eye) for shot in pictures}) == 3
@@ -39,14 +39,14 @@ def test_three_cameras_by_three_suns_and_a_white_world() -> None:
     assert pictures[3].scene(TOY, 1).lights[0].type == "environment"
 
 
-def test_every_full_view_holds_the_whole_asset() -> None:
+def test_every_full_view_holds_the_whole_asset():
     for shot in shots([MESH], 32)[:8]:
         local = np.c_[CORNERS, np.ones(4)] @ np.linalg.inv(shot.view.to_world).T
         extent = np.abs(local[:, :2]) / -local[:, 2:3]
         assert extent.max() < np.tan(np.radians(15.0))
 
 
-def test_fibers_are_also_seen_so_near_that_a_strand_fills_a_sixteenth() -> None:
+def test_fibers_are_also_seen_so_near_that_a_strand_fills_a_sixteenth():
     pictures = shots([STRANDS], 32)
     assert len(pictures) == 16
     distance = np.linalg.norm(pictures[-1].eye - pictures[-1].target)
@@ -54,7 +54,7 @@ def test_fibers_are_also_seen_so_near_that_a_strand_fills_a_sixteenth() -> None:
     assert width == pytest.approx(2.0 * 16.0 * 0.02, rel=0.1)
 
 
-def test_parts_are_seen_together() -> None:
+def test_parts_are_seen_together():
     both = shots([MESH, STRANDS], 32)
     assert {shot.camera_name for shot in both} == {"front", "behind", "close-up"}
     points = np.concatenate([MESH.positions, STRANDS.points])
@@ -63,7 +63,7 @@ def test_parts_are_seen_together() -> None:
 
 
 @pytest.mark.parametrize("frame", [("-Z", "Y"), ("-Y", "Z"), ("X", "-Z")])
-def test_front_and_up_turn_the_camera_and_keep_it_upright(frame: tuple[str, str]) -> None:
+def test_front_and_up_turn_the_camera_and_keep_it_upright(frame):
     turn = rotation(*frame)
     turned = Mesh(CORNERS @ turn.T.astype(np.float32), MESH.normals, None, MESH.triangles)
     for usual, shot in zip(shots([MESH], 32), shots([turned], 32, frame), strict=True):
@@ -74,17 +74,17 @@ def test_front_and_up_turn_the_camera_and_keep_it_upright(frame: tuple[str, str]
             np.testing.assert_allclose(shot.light, turn @ usual.light, atol=1e-12)
 
 
-def test_front_and_up_along_one_axis_are_refused() -> None:
+def test_front_and_up_along_one_axis_are_refused():
     with pytest.raises(CaptureError, match="front Y and up -Y are along one axis"):
         rotation("Y", "-Y")
 
 
-def test_an_axis_may_follow_its_option() -> None:
+def test_an_axis_may_follow_its_option():
     given = ["a", "--front", "-Z", "--up=X", "--up", "-Y", "-Z"]
     assert joined_axes(given) == ["a", "--front=-Z", "--up=X", "--up=-Y", "-Z"]
 
 
-def test_the_page_holds_every_picture_and_its_numbers(tmp_path: Path) -> None:
+def test_the_page_holds_every_picture_and_its_numbers(tmp_path):
     pairs = [_pair(shot, k) for k, shot in enumerate(shots([MESH], 16)[:2])]
     write_page(tmp_path, "a <b>", pairs[:1], {"samples": 4})  # stopped here, a page is there
     assert "found here, 1 image<" in (tmp_path / "index.html").read_text()
@@ -102,7 +102,7 @@ def test_the_page_holds_every_picture_and_its_numbers(tmp_path: Path) -> None:
         assert (tmp_path / name).is_file()
 
 
-def test_the_light_of_a_white_world_is_on_the_page_and_no_part_of_the_error(tmp_path: Path) -> None:
+def test_the_light_of_a_white_world_is_on_the_page_and_no_part_of_the_error(tmp_path):
     sun, *_, white = (_pair(shot, k) for k, shot in enumerate(shots([MESH], 16)[:4]))
     white = replace(white, ours=white.cycles / 3.0)
     write_page(tmp_path, "a third", [sun, white], {})
@@ -115,7 +115,7 @@ def test_the_light_of_a_white_world_is_on_the_page_and_no_part_of_the_error(tmp_
     assert white.error == "reflects 33% of the light that Cycles' asset does"
 
 
-def test_one_bright_picture_does_not_rule_the_exposures_of_the_others() -> None:
+def test_one_bright_picture_does_not_rule_the_exposures_of_the_others():
     suns = [shot for shot in shots([MESH], 8) if not shot.is_white]
     rendered = [_rendered(shot, 0.1) for shot in suns]
     before = judged(rendered[:8])
@@ -133,14 +133,14 @@ def _rendered(shot: Shot, radiance: float) -> Rendered:
     return Rendered(shot, Timed(1.2 * cycles[0], 0.0), Timed(cycles, 0.0))
 
 
-def test_an_error_in_words_is_without_the_noise_of_cycles() -> None:
+def test_an_error_in_words_is_without_the_noise_of_cycles():
     pair = _pair(shots([MESH], 16)[0], 0)
     assert pair.error == f"FLIP {pair.flip.mean:.3f}, PSNR 30.0 dB"
     bound = replace(pair, psnr_without_noise=NoiselessPsnr(28.0, 28.0, None))
     assert bound.error.endswith("PSNR at least 28.0 dB")
 
 
-def test_the_page_says_what_was_compared_with_recorded_and_found_figures(tmp_path: Path) -> None:
+def test_the_page_says_what_was_compared_with_recorded_and_found_figures(tmp_path):
     package, source = _package(tmp_path), tmp_path / "ball.gltf"
     source.write_bytes(b"another ball")
     origin = Origin.of(package, None)
@@ -155,7 +155,7 @@ def test_the_page_says_what_was_compared_with_recorded_and_found_figures(tmp_pat
     assert f"{error_text(0.07, 0.2)}, 8 images of other views" in page and "39.50 dB" in page
 
 
-def test_the_source_is_known_by_its_hash(tmp_path: Path) -> None:
+def test_the_source_is_known_by_its_hash(tmp_path):
     source = tmp_path / "ball.py"
     source.write_bytes(b"a ball")
     sha = hashlib.sha256(b"a ball").hexdigest()
@@ -166,7 +166,7 @@ def test_the_source_is_known_by_its_hash(tmp_path: Path) -> None:
     assert "does not record" in str(unknown.doubt(source))
 
 
-def test_images_are_announced_and_handed_over_one_by_one() -> None:
+def test_images_are_announced_and_handed_over_one_by_one():
     messages: list[str] = []
     actual: list[int] = []
     worker = _Cycles()

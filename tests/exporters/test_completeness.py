@@ -4,8 +4,6 @@ import json
 import shutil
 from pathlib import Path
 
-import pytest
-
 from rna_export.capture.dataset.completeness import differences, forget, record_files
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.training.rna_train import main as rna_train
@@ -19,7 +17,7 @@ def finished(folder: Path) -> Dataset:
     return Dataset(folder)
 
 
-def test_a_finished_dataset_is_what_its_manifest_says(tmp_path: Path) -> None:
+def test_a_finished_dataset_is_what_its_manifest_says(tmp_path):
     dataset = finished(tmp_path / "ball.rays")
     assert set(json.loads((dataset.folder / "files.json").read_text())) >= {
         "geometry/asset.safetensors",
@@ -29,7 +27,7 @@ def test_a_finished_dataset_is_what_its_manifest_says(tmp_path: Path) -> None:
     assert differences(dataset) == []
 
 
-def test_what_is_missing_replaced_or_not_captured_is_told(tmp_path: Path) -> None:
+def test_what_is_missing_replaced_or_not_captured_is_told(tmp_path):
     dataset = finished(tmp_path / "ball.rays")
     dataset.train_path(1).unlink()
     shutil.copy(dataset.train_path(0), dataset.train_path(2))
@@ -44,7 +42,7 @@ def test_what_is_missing_replaced_or_not_captured_is_told(tmp_path: Path) -> Non
     ]
 
 
-def test_what_is_captured_anew_may_differ(tmp_path: Path) -> None:
+def test_what_is_captured_anew_may_differ(tmp_path):
     """As images of `rna-make` do, which grow with the run."""
     dataset = finished(tmp_path / "ball.rays")
     renewed = [dataset.train_path(1), dataset.validation_path(1, 0)]
@@ -55,7 +53,7 @@ def test_what_is_captured_anew_may_differ(tmp_path: Path) -> None:
     assert differences(dataset) == []
 
 
-def test_a_capture_that_still_runs_is_not_whole(tmp_path: Path) -> None:
+def test_a_capture_that_still_runs_is_not_whole(tmp_path):
     dataset = make_dataset(tmp_path / "ball.rays", shards=3).dataset
     assert differences(dataset) == []
     for half in (0, 1):
@@ -67,9 +65,7 @@ def test_a_capture_that_still_runs_is_not_whole(tmp_path: Path) -> None:
     ]
 
 
-def test_training_stops_at_a_gap_unless_it_is_accepted(
-    tmp_path: Path, capfd: pytest.CaptureFixture[str]
-) -> None:
+def test_training_stops_at_a_gap_unless_it_is_accepted(tmp_path, capfd):
     dataset = finished(tmp_path / "ball.rays")
     dataset.train_path(1).unlink()
     command = [str(dataset.folder), "--out", str(tmp_path / "run"), "--preset", "tiny"]

@@ -18,7 +18,7 @@ def directions(cap: Cap, count: int = 500) -> np.ndarray:
     return around(np.tile(cap.axis, (count, 1)), cosine, 2.0 * np.pi * rng.random(count))
 
 
-def test_a_cap_holds_all_directions_between_two_balls() -> None:
+def test_a_cap_holds_all_directions_between_two_balls():
     rng = np.random.default_rng(1)
     centre = np.array([3.0, -1.0, 2.0])
     points, targets = sphere(rng.random((5000, 2))), centre + 0.5 * sphere(rng.random((5000, 2)))
@@ -29,7 +29,7 @@ def test_a_cap_holds_all_directions_between_two_balls() -> None:
     assert angle.max() < cap.half_angle < angle.max() + 0.02
 
 
-def test_a_ball_that_touches_is_everywhere() -> None:
+def test_a_ball_that_touches_is_everywhere():
     assert cap_towards(np.array([1.0, 0.0, 0.0]), 1.0).half_angle == np.pi
 
 
@@ -43,7 +43,7 @@ def test_a_ball_that_touches_is_everywhere() -> None:
         (Cap(UP, 2.0), Cap(-UP, 1.5)),
     ],
 )
-def test_the_cap_around_two_holds_both_and_no_more(a: Cap, b: Cap) -> None:
+def test_the_cap_around_two_holds_both_and_no_more(a, b):
     both = around_both(a, b)
     assert both.holds(a) and both.holds(b)
     for cap in (a, b):
@@ -52,7 +52,7 @@ def test_the_cap_around_two_holds_both_and_no_more(a: Cap, b: Cap) -> None:
     assert both.half_angle <= min(max(widest, (a.angle_to(b) + 2 * widest) / 2.0), np.pi) + 1e-9
 
 
-def test_many_caps_become_few_cones_that_hold_them_all() -> None:
+def test_many_caps_become_few_cones_that_hold_them_all():
     turned = np.linspace(0.0, 2.0 * np.pi, 200, endpoint=False)
     caps = [Cap(np.array([np.sin(t), 0.5, np.cos(t)]) / np.sqrt(1.25), 0.05) for t in turned]
     region = merged(caps, margin=0.02)
@@ -64,11 +64,11 @@ def test_many_caps_become_few_cones_that_hold_them_all() -> None:
     assert in_region(region, spread).mean() < 0.35
 
 
-def test_caps_within_others_are_left_out() -> None:
+def test_caps_within_others_are_left_out():
     region = merged([Cap(UP, 0.1), Cap(UP, 0.3), Cap(UP, 0.2)], margin=0.0)
     assert [cone.half_angle for cone in region] == [pytest.approx(0.3)]
 
 
-def test_all_directions_are_the_sphere() -> None:
+def test_all_directions_are_the_sphere():
     assert merged([Cap(UP, 0.1), EVERYWHERE], margin=0.1) == "sphere"
     assert merged([], margin=0.1) == "sphere"

@@ -33,7 +33,7 @@ def area(mesh: Mesh) -> float:
 
 
 @pytest.mark.parametrize("pieces", [1, 2, 3, 8])
-def test_pieces_have_each_triangle_once_and_equal_areas(pieces: int) -> None:
+def test_pieces_have_each_triangle_once_and_equal_areas(pieces):
     mesh = sphere(4)
     cut = cut_triangles(mesh, pieces)
     assert np.array_equal(np.sort(np.concatenate(cut)), np.arange(len(mesh.triangles)))
@@ -41,7 +41,7 @@ def test_pieces_have_each_triangle_once_and_equal_areas(pieces: int) -> None:
     assert np.allclose(of, area(mesh) / pieces, rtol=0.02)
 
 
-def test_the_longest_side_is_cut() -> None:
+def test_the_longest_side_is_cut():
     mesh = sphere(3)
     long = Mesh(mesh.positions * np.float32([1, 1, 3]), mesh.normals, None, mesh.triangles)
     low, high = (long.positions[long.triangles[k]].mean(axis=1) for k in cut_triangles(long, 2))
@@ -49,11 +49,11 @@ def test_the_longest_side_is_cut() -> None:
 
 
 @pytest.fixture(scope="module")
-def whole(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
+def whole(tmp_path_factory):
     return make_dataset(tmp_path_factory.mktemp("cut") / "ball.rays", shards=12).dataset
 
 
-def test_samples_at_a_seam_belong_to_both_sides(whole: Dataset) -> None:
+def test_samples_at_a_seam_belong_to_both_sides(whole):
     every = whole.only.training_samples()["position"]
     cut = as_cut(whole, 2)
     assert [part.name for part in cut.parts] == ["asset_0", "asset_1"]
@@ -69,7 +69,7 @@ def test_samples_at_a_seam_belong_to_both_sides(whole: Dataset) -> None:
         assert (corners >= low - 1e-6).all() and (corners <= high + 1e-6).all()
 
 
-def test_each_pixel_belongs_to_one_piece(whole: Dataset) -> None:
+def test_each_pixel_belongs_to_one_piece(whole):
     for view, uncut in zip(
         as_cut(whole, 4).whole_views(), whole.only.validation_views(), strict=True
     ):
@@ -79,7 +79,7 @@ def test_each_pixel_belongs_to_one_piece(whole: Dataset) -> None:
         assert np.array_equal(view.image(view.reference), uncut.image(uncut.reference))
 
 
-def test_pieces_of_a_quantised_mesh_share_its_vertices(tmp_path: Path) -> None:
+def test_pieces_of_a_quantised_mesh_share_its_vertices(tmp_path):
     mesh = quantise(sphere(3))
     dataset = make_dataset(tmp_path / "ball.rays").dataset
     Dataset.create(dataset.folder, dataset.manifest, {"asset": mesh})
@@ -89,7 +89,7 @@ def test_pieces_of_a_quantised_mesh_share_its_vertices(tmp_path: Path) -> None:
     assert all(piece.quantised is not None for piece in pieces)
 
 
-def test_too_many_pieces_are_refused(whole: Dataset) -> None:
+def test_too_many_pieces_are_refused(whole):
     with pytest.raises(CaptureError, match="a cut in 17 gives 17 parts, expected at most 16"):
         as_cut(whole, 17)
 
@@ -104,7 +104,7 @@ class Cut:
 
 
 @pytest.fixture(scope="module")
-def cut(whole: Dataset, tmp_path_factory: pytest.TempPathFactory) -> Cut:
+def cut(whole, tmp_path_factory):
     dataset, out = as_cut(whole, 2), tmp_path_factory.mktemp("run")
     preset = tiny(steps=STEPS).with_model(resolution=RESOLUTION)
     with pytest.MonkeyPatch.context() as patch:
@@ -141,7 +141,7 @@ def error_of_steps(
     return float(np.sqrt(np.mean(step**2))), float(np.sqrt(np.mean(np.square(errors))))
 
 
-def test_no_seam_shows_at_three_texels(cut: Cut) -> None:
+def test_no_seam_shows_at_three_texels(cut):
     """The error steps at the seam no more than it does over as many texels inside a piece."""
     low, high = np.array(cut.dataset.parts[0].bounds)
     axis = int(np.argmin(high - low))
@@ -157,7 +157,7 @@ def test_no_seam_shows_at_three_texels(cut: Cut) -> None:
     assert error < 1.25 * error_inside
 
 
-def test_a_package_of_pieces(cut: Cut, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_package_of_pieces(cut, tmp_path, capsys):
     out = tmp_path / "ball.rna"
     assert export([str(cut.out), "--out", str(out)]) == 0
     said = capsys.readouterr().out
@@ -170,7 +170,7 @@ def test_a_package_of_pieces(cut: Cut, tmp_path: Path, capsys: pytest.CaptureFix
     assert (one.part, one.cut) == ("asset_1", 2)
 
 
-def test_a_piece_is_missing(cut: Cut, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_piece_is_missing(cut, tmp_path, capsys):
     only = str(cut.out / "asset_1" / "best.ckpt")
     assert export([only, "--out", str(tmp_path / "ball.rna")]) == 1
     error = capsys.readouterr().err

@@ -1,12 +1,9 @@
 """Our hit and Cycles' hit are the same point, whatever the scene is made of."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 from tests.conftest import REPOSITORY
-from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import Traced, trace, unit
 
 pytestmark = pytest.mark.blender
@@ -76,24 +73,24 @@ def radius(traced: Traced) -> float:
     [TRANSFORMED, INSTANCED, RENDER_SETTINGS, HIDDEN],
     ids=["transformed", "instanced", "render-settings", "hidden"],
 )
-def test_small_scenes(open_worker: OpenWorker, scene: str) -> None:
+def test_small_scenes(open_worker, scene):
     traced = trace(open_worker(scene), WI)
     assert_same_points(traced, radius(traced))
 
 
-def test_what_is_hidden_in_renders_stays_out(open_worker: OpenWorker) -> None:
+def test_what_is_hidden_in_renders_stays_out(open_worker):
     positions = open_worker(HIDDEN).export_corners()["positions"]
     assert np.allclose(positions.min(axis=0), [-1, -1, -1])
     assert np.allclose(positions.max(axis=0), [5, 1, 1])
 
 
-def test_the_quickstart_toy(open_worker: OpenWorker) -> None:
+def test_the_quickstart_toy(open_worker):
     traced = trace(open_worker(REPOSITORY / "examples" / "quickstart" / "toy.py"), WI, 4096)
     assert_same_points(traced, radius(traced))
 
 
 @pytest.mark.data
-def test_a_real_head(open_worker: OpenWorker, data_folder: Path) -> None:
+def test_a_real_head(open_worker, data_folder):
     recipe = REPOSITORY / "examples" / "recipes" / "head.py"
     worker = open_worker(recipe, str(data_folder / "mesh" / "LeePerrySmith"))
     traced = trace(worker, WI, 4096)

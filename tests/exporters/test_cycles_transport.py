@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from rna_export.capture.capture_settings import LEAST_ROUGHNESS
-from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import trace, unit
 
 pytestmark = pytest.mark.blender
@@ -28,9 +27,7 @@ CASTER = PLANE + "\nadd(*square(0.4, x=0.2, y=0.3, z=0.3), diffuse((0, 0, 0)))"
     [PLANE, FACETED_BALL, SMOOTH_BALL, STRETCHED, MIRRORED],
     ids=["plane", "faceted", "smooth", "stretched", "mirrored"],
 )
-def test_a_diffuse_convex_body_answers_albedo_over_pi_times_the_cosine(
-    open_worker: OpenWorker, scene: str
-) -> None:
+def test_a_diffuse_convex_body_answers_albedo_over_pi_times_the_cosine(open_worker, scene):
     worker = open_worker(scene)
     for wi in LIGHTS:
         traced = trace(worker, wi, 1024)
@@ -42,7 +39,7 @@ def test_a_diffuse_convex_body_answers_albedo_over_pi_times_the_cosine(
         assert np.abs(traced.radiance[clear] - expected).max() < 2e-4
 
 
-def test_shadowed_points_are_black(open_worker: OpenWorker) -> None:
+def test_shadowed_points_are_black(open_worker):
     worker = open_worker(CASTER)
     for wi in LIGHTS:
         traced = trace(worker, wi)
@@ -56,9 +53,7 @@ def test_shadowed_points_are_black(open_worker: OpenWorker) -> None:
 
 
 @pytest.mark.parametrize("scene", [SMOOTH_BALL, STRETCHED, MIRRORED])
-def test_smooth_bodies_are_lit_up_to_where_cycles_lights_them(
-    open_worker: OpenWorker, scene: str
-) -> None:
+def test_smooth_bodies_are_lit_up_to_where_cycles_lights_them(open_worker, scene):
     """Where light meets facets from behind, but the smooth surface from the front."""
     worker = open_worker(scene)
     lit, visible = [], []
@@ -72,7 +67,7 @@ def test_smooth_bodies_are_lit_up_to_where_cycles_lights_them(
     assert (np.concatenate(lit) == np.concatenate(visible)).mean() > 0.99
 
 
-def test_the_dark_side_of_a_closed_body_is_shadowed(open_worker: OpenWorker) -> None:
+def test_the_dark_side_of_a_closed_body_is_shadowed(open_worker):
     wi = LIGHTS[1]
     traced = trace(open_worker(FACETED_BALL), wi)
     facing = traced.points.ng @ wi
@@ -81,7 +76,7 @@ def test_the_dark_side_of_a_closed_body_is_shadowed(open_worker: OpenWorker) -> 
     assert not traced.radiance[facing < -0.01].any()
 
 
-def test_more_paths_keep_the_mean(open_worker: OpenWorker) -> None:
+def test_more_paths_keep_the_mean(open_worker):
     worker = open_worker("add(*BALL, principled(Subsurface_Weight=1.0), smooth=True)")
     few, many = (trace(worker, LIGHTS[1], 1024, samples).radiance.mean() for samples in (8, 64))
     assert few == pytest.approx(many, rel=0.05)
@@ -105,9 +100,7 @@ metal.node_tree.links.new(value.outputs[0], shader.inputs["Roughness"])
     [(METAL % 0.1, 0.1), (METAL % 0.0, 0.035), (METAL % 0.5 + LINKED, 0.035)],
     ids=["smooth", "mirror", "mirror by a node"],
 )
-def test_the_highlight_of_a_metal_is_whole(
-    open_worker: OpenWorker, scene: str, roughness: float
-) -> None:
+def test_the_highlight_of_a_metal_is_whole(open_worker, scene, roughness):
     """T = D F G / (4 n.wo) of GGX (Walter et al. 2007), hundreds at roughness 0.1.
 
     A mirror has none under a sun; captures give it the least roughness.

@@ -17,11 +17,11 @@ from tests.exporters.synthetic import BALL_PART, LIGHTS_A_SHARD, RAYS, make_data
 
 
 @pytest.fixture
-def dataset(tmp_path: Path) -> Dataset:
+def dataset(tmp_path):
     return make_dataset(tmp_path / "ball.rays").dataset
 
 
-def test_reads_back_what_was_written(dataset: Dataset) -> None:
+def test_reads_back_what_was_written(dataset):
     again = Dataset(dataset.folder)
     assert again.manifest == dataset.manifest
     assert np.array_equal(again.only.geometry().positions, sphere(3).positions)
@@ -29,7 +29,7 @@ def test_reads_back_what_was_written(dataset: Dataset) -> None:
     assert again.only.geometry().uvs is None
 
 
-def test_unfinished_shards_and_views_are_left_out(dataset: Dataset) -> None:
+def test_unfinished_shards_and_views_are_left_out(dataset):
     whole = dataset.only.training_samples()
     assert len(whole["visible"]) == 3 * LIGHTS_A_SHARD * RAYS
     dataset.train_path(1).unlink()
@@ -42,7 +42,7 @@ def test_unfinished_shards_and_views_are_left_out(dataset: Dataset) -> None:
     assert [view.index for view in dataset.only.validation_views()] == [1]
 
 
-def test_a_view_is_the_mean_of_its_halves_as_an_image(dataset: Dataset) -> None:
+def test_a_view_is_the_mean_of_its_halves_as_an_image(dataset):
     view = dataset.only.validation_views()[0]
     assert np.allclose(view.samples["radiance"], view.halves.mean(axis=0))
     image = view.image(view.samples["radiance"])
@@ -52,14 +52,14 @@ def test_a_view_is_the_mean_of_its_halves_as_an_image(dataset: Dataset) -> None:
 
 
 @pytest.mark.parametrize("part", ["train", "validation"])
-def test_nothing_finished_is_an_error(dataset: Dataset, part: str) -> None:
+def test_nothing_finished_is_an_error(dataset, part):
     for path in (dataset.folder / part).iterdir():
         path.unlink()
     with pytest.raises(CaptureError, match="no finished"):
         dataset.only.training_samples() if part == "train" else dataset.only.validation_views()
 
 
-def test_a_folder_without_a_manifest_is_no_dataset(tmp_path: Path) -> None:
+def test_a_folder_without_a_manifest_is_no_dataset(tmp_path):
     with pytest.raises(CaptureError, match=r"manifest\.json"):
         Dataset(tmp_path)
 
@@ -67,7 +67,7 @@ def test_a_folder_without_a_manifest_is_no_dataset(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "change", [{"surprise": 1}, {"settings": {"samples": 0}}, {"blender": None}], ids=str
 )
-def test_a_manifest_that_says_something_else_is_refused(dataset: Dataset, change: dict) -> None:
+def test_a_manifest_that_says_something_else_is_refused(dataset, change):
     path = dataset.folder / "manifest.json"
     path.write_text(json.dumps(json.loads(path.read_text()) | change))
     with pytest.raises(CaptureError, match=next(iter(change))):
@@ -92,7 +92,7 @@ def _empty(path: Path) -> None:
 
 
 @pytest.mark.parametrize("damage", [_cut, _without_a_field, _of_other_lengths, _empty])
-def test_a_damaged_file_is_named(dataset: Dataset, damage: Callable[[Path], None]) -> None:
+def test_a_damaged_file_is_named(dataset, damage):
     damage(dataset.train_path(1))
     damage(dataset.validation_path(0, 1))
     with pytest.raises(CaptureError, match=r"00001\.safetensors: damaged .*delete it"):
@@ -129,9 +129,7 @@ def _more(scale: float) -> Callable[[np.ndarray], np.ndarray]:
         ("geometry", "normals", _more(float("nan"))),
     ],
 )
-def test_arrays_of_strangers_are_refused_in_one_line(
-    dataset: Dataset, folder: str, name: str, change: Callable[[np.ndarray], np.ndarray]
-) -> None:
+def test_arrays_of_strangers_are_refused_in_one_line(dataset, folder, name, change):
     for path in (dataset.folder / folder).iterdir():
         arrays = load_file(path)
         if name in arrays:
@@ -158,7 +156,7 @@ def test_arrays_of_strangers_are_refused_in_one_line(
         [[1e9, 0, 0], [1e9 + 1, 1, 1]],
     ],
 )
-def test_bounds_that_are_no_box_are_refused(dataset: Dataset, bounds: list[list[float]]) -> None:
+def test_bounds_that_are_no_box_are_refused(dataset, bounds):
     path = dataset.folder / "manifest.json"
     manifest = json.loads(path.read_text())
     manifest["parts"][0]["bounds"] = bounds
@@ -168,7 +166,7 @@ def test_bounds_that_are_no_box_are_refused(dataset: Dataset, bounds: list[list[
     assert "\n" not in str(refused.value)
 
 
-def test_halves_of_other_pixels_are_refused(dataset: Dataset) -> None:
+def test_halves_of_other_pixels_are_refused(dataset):
     path = dataset.validation_path(0, 1)
     rows = load_file(path).items()
     write_arrays(path, {name: values[len(values) // 4 :] for name, values in rows})
@@ -176,13 +174,13 @@ def test_halves_of_other_pixels_are_refused(dataset: Dataset) -> None:
         dataset.only.validation_views()
 
 
-def test_damaged_geometry_is_named(dataset: Dataset) -> None:
+def test_damaged_geometry_is_named(dataset):
     _cut(dataset.folder / "geometry" / "asset.safetensors")
     with pytest.raises(CaptureError, match=r"asset\.safetensors: damaged"):
         dataset.only.geometry()
 
 
-def test_rays_meet_the_mesh_as_it_was_before_its_package_rounds_it(tmp_path: Path) -> None:
+def test_rays_meet_the_mesh_as_it_was_before_its_package_rounds_it(tmp_path):
     exact = moved(sphere(3, radius=1e-3), (1.0, 2.0, 3.0))
     wide = merged(exact, moved(sphere(1), (50.0, 0.0, 0.0)))
     low, high = wide.box()
@@ -202,6 +200,6 @@ def test_rays_meet_the_mesh_as_it_was_before_its_package_rounds_it(tmp_path: Pat
     assert np.abs(rounded.positions - wide.positions).max() > 2e-4
 
 
-def test_a_dataset_without_rounding_has_one_mesh(tmp_path: Path) -> None:
+def test_a_dataset_without_rounding_has_one_mesh(tmp_path):
     part = make_dataset(tmp_path / "ball.rays")
     assert np.array_equal(part.met_by_rays().positions, part.geometry().positions)

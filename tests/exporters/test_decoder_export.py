@@ -64,7 +64,7 @@ def run(decoder: bytes, queries: torch.Tensor) -> np.ndarray:
     ("kind", "preset"), [(kind, preset) for kind in PRESETS for preset in PRESETS[kind]]
 )
 @torch.no_grad()
-def test_agrees_with_pytorch(kind: str, preset: str) -> None:
+def test_agrees_with_pytorch(kind, preset):
     model = make_model(preset, kind)
     decoder = export_decoder(model)
     queries = torch.cat([random_queries(model, 3000, 7), extreme_queries(model, 7)])
@@ -78,7 +78,7 @@ def test_agrees_with_pytorch(kind: str, preset: str) -> None:
 
 @pytest.mark.parametrize("form", FORMS)
 @torch.no_grad()
-def test_every_form_agrees_with_pytorch(form: str) -> None:
+def test_every_form_agrees_with_pytorch(form):
     model = make_model(form=form)
     proto = onnx.load_from_string(export_decoder(model))
     assert proto.graph.output[0].name == model.output
@@ -88,7 +88,7 @@ def test_every_form_agrees_with_pytorch(form: str) -> None:
     compare_int8_decoder(export_decoder(model, layers), model, layers, queries)
 
 
-def test_output_is_finite_and_never_negative_whatever_is_asked() -> None:
+def test_output_is_finite_and_never_negative_whatever_is_asked():
     model = make_model()
     queries = torch.full((8, model.decoder[0].in_features), 1.0)
     for row, value in enumerate((0.0, -0.0, 1e30, -1e30, 3e38, -3e38, 65504.0, -1.0)):
@@ -109,7 +109,7 @@ def test_output_is_finite_and_never_negative_whatever_is_asked() -> None:
     ],
     ids=["weight", "bias", "outputs swapped", "ceiling", "unit"],
 )
-def test_another_decoder_is_refused(change) -> None:
+def test_another_decoder_is_refused(change):
     model = make_model()
     decoder = export_decoder(model)
     change(model)
@@ -121,9 +121,7 @@ def test_another_decoder_is_refused(change) -> None:
     ("off", "which", "agrees"),
     [(5.0, "largest", True), (5.0, 0, False), (5.0, -1, False), (11.0, "largest", False)],
 )
-def test_large_queries_have_a_tolerance_as_large(
-    off: float, which: int | str, agrees: bool, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_large_queries_have_a_tolerance_as_large(off, which, agrees, monkeypatch):
     """Rounding of a trained decoder of 4 x 256 reached 1.15 of the usual tolerance there."""
     model = make_model()
 

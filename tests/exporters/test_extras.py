@@ -30,27 +30,27 @@ def samples_of(albedo: tuple[float, ...], specular: float, roughness: float) -> 
 
 
 @pytest.mark.parametrize("roughness", [0.25, 0.5])
-def test_standin_finds_colour_and_roughness(roughness: float) -> None:
+def test_standin_finds_colour_and_roughness(roughness):
     material = standin_material(samples_of((0.6, 0.3, 0.1), 0.04, roughness))
     np.testing.assert_allclose(material.base_color, (0.6, 0.3, 0.1), atol=0.03)
     assert material.roughness == pytest.approx(roughness, abs=0.051)
     assert material.metallic == 0.0
 
 
-def test_standin_of_metal_has_the_colour_of_its_lobe() -> None:
+def test_standin_of_metal_has_the_colour_of_its_lobe():
     material = standin_material(samples_of((0.0, 0.0, 0.0), 0.8, 0.4))
     assert material.metallic == 1.0
     np.testing.assert_allclose(material.base_color, (0.8, 0.8, 0.8), atol=0.1)
 
 
-def test_standin_of_a_print_under_clear_coat_is_no_metal() -> None:
+def test_standin_of_a_print_under_clear_coat_is_no_metal():
     """The coat's narrow lobe is fitted by a wide one that reflects more than arrives."""
     material = standin_material(samples_of((0.5, 0.5, 0.5), 4.5, 0.1))
     assert material.metallic == 0.0
     np.testing.assert_allclose(material.base_color, (0.5, 0.5, 0.5), atol=0.05)
 
 
-def test_standin_of_strands_has_the_colour_of_light_from_the_viewers_side() -> None:
+def test_standin_of_strands_has_the_colour_of_light_from_the_viewers_side():
     """And not of the glow that comes through hair from behind."""
     axis = np.float32([[0.0, 0.0, 1.0]] * 100)
     wi = np.where(np.arange(100)[:, None] % 2, axis, -axis)
@@ -60,7 +60,7 @@ def test_standin_of_strands_has_the_colour_of_light_from_the_viewers_side() -> N
     assert material.roughness == 1.0
 
 
-def test_poster_pixels_are_not_premultiplied() -> None:
+def test_poster_pixels_are_not_premultiplied():
     rgba = np.float32([[[0.5, 0.25, 0, 0.5], [0, 0, 0, 0], [4, 1, 1, 1]]])
     image = np.asarray(Image.open(io.BytesIO(png_of(rgba))))
     assert image.shape == (1, 3, 4)
@@ -79,7 +79,7 @@ def mesh_of(shape: trimesh.Trimesh) -> Mesh:
     )
 
 
-def test_proxy_has_fewer_triangles_the_smaller_it_is() -> None:
+def test_proxy_has_fewer_triangles_the_smaller_it_is():
     ball = mesh_of(trimesh.creation.icosphere(6))
     counts = []
     for pixels in (64, 32):
@@ -93,12 +93,12 @@ def test_proxy_has_fewer_triangles_the_smaller_it_is() -> None:
     assert counts[1] < 0.3 * counts[0] < len(ball.triangles)
 
 
-def test_proxy_keeps_creases() -> None:
+def test_proxy_keeps_creases():
     box = mesh_of(trimesh.creation.box().subdivide().subdivide().subdivide().subdivide())
     proxy = proxy_of(box, 16)
     assert len(proxy.triangles) < len(box.triangles) / 2
     assert np.abs(proxy.normals).max(axis=1).min() > 0.999
 
 
-def test_no_proxy_that_saves_nothing() -> None:
+def test_no_proxy_that_saves_nothing():
     assert proxy_of(mesh_of(trimesh.creation.icosphere(3)), 500) is None

@@ -28,7 +28,7 @@ def coloured(folder: Path, color: np.ndarray, **attributes: object) -> Path:
     return changed(plain, folder / "ball.glb", change)
 
 
-def test_it_is_less_the_nearer_the_fallback_is(tmp_path: Path) -> None:
+def test_it_is_less_the_nearer_the_fallback_is(tmp_path):
     views = make_dataset(tmp_path / "ball.rays", views=4).dataset.whole_views()
     near = fallback_flip(coloured(tmp_path, ALBEDO), views)
     dark = fallback_flip(coloured(tmp_path, 0.3 * ALBEDO), views)
@@ -37,7 +37,7 @@ def test_it_is_less_the_nearer_the_fallback_is(tmp_path: Path) -> None:
     assert near < 0.6 * other and near < 0.6 * dark and dark < gone
 
 
-def test_it_is_recorded_in_the_node_and_changes_nothing_else(tmp_path: Path) -> None:
+def test_it_is_recorded_in_the_node_and_changes_nothing_else(tmp_path):
     dataset = make_dataset(tmp_path / "ball.rays").dataset
     path = make_carrier(PACKAGE, tmp_path / "a.glb")
     before = opened(path)
@@ -49,7 +49,7 @@ def test_it_is_recorded_in_the_node_and_changes_nothing_else(tmp_path: Path) -> 
     assert complete_fallback(PACKAGE, dataset) == []
 
 
-def test_a_source_that_moves_is_told(tmp_path: Path) -> None:
+def test_a_source_that_moves_is_told(tmp_path):
     """The fallback is the package at rest: what keeps skin and clips is the source itself."""
     dataset = make_dataset(tmp_path / "ball.rays").dataset
     moving, still = tmp_path / "walk.gltf", tmp_path / "still.gltf"

@@ -1,7 +1,5 @@
 """What a capture of fibers records: points on strands, and direct light apart from the rest."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -12,7 +10,6 @@ from rna_export.capture.dataset.dataset_manifest import SAMPLE_FIELDS
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.view_rays import sample_view_rays
 from rna_sdk.package import Curves
-from tests.exporters.conftest import OpenWorker
 from tests.exporters.scenes import fur, write_scene
 from tests.render.strands import curls
 
@@ -30,11 +27,11 @@ def distance_to_axis(curves: Curves, points: np.ndarray, segment: np.ndarray) ->
 
 
 @pytest.fixture(scope="module")
-def scene() -> AssetScene:
+def scene():
     return AssetScene([CURLS])
 
 
-def test_every_view_ray_hits_a_strand(scene: AssetScene) -> None:
+def test_every_view_ray_hits_a_strand(scene):
     rays = sample_view_rays(scene, WI, 2000, "sphere", np.random.default_rng(0))
     assert len(rays) == 2000
     points = scene.shade_points(rays.origins, rays.directions)
@@ -45,7 +42,7 @@ def test_every_view_ray_hits_a_strand(scene: AssetScene) -> None:
     assert np.all(apart < radius * 1.01) and np.all(apart > 0.3 * radius)
 
 
-def test_h_is_the_offset_of_the_ray_from_the_axis(scene: AssetScene) -> None:
+def test_h_is_the_offset_of_the_ray_from_the_axis(scene):
     """A ray that passes the axis at a distance of h radii, on the side of t x wo."""
     straight = Curves(
         np.float32([[0, -1, 0], [0, 1, 0]]), np.float32([0.1, 0.1]), np.uint32([0, 2])
@@ -58,7 +55,7 @@ def test_h_is_the_offset_of_the_ray_from_the_axis(scene: AssetScene) -> None:
     assert np.allclose(at["h"], x / 0.1, atol=1e-4)  # t x wo is +x
 
 
-def test_sampled_points_lie_on_strands_by_area(scene: AssetScene) -> None:
+def test_sampled_points_lie_on_strands_by_area(scene):
     points, normals = scene.sample_points(4000, np.random.default_rng(0))
     assert np.allclose(np.linalg.norm(normals, axis=1), 1.0, atol=1e-5)
     curves, first = CURLS, CURLS.segments()
@@ -69,7 +66,7 @@ def test_sampled_points_lie_on_strands_by_area(scene: AssetScene) -> None:
     assert near.max() <= curves.radii.max() * 1.001
 
 
-def test_highlight_views_lie_about_the_cone_of_mirrored_light(scene: AssetScene) -> None:
+def test_highlight_views_lie_about_the_cone_of_mirrored_light(scene):
     rays = sample_view_rays(scene, WI, 1500, "sphere", np.random.default_rng(1))
     points = scene.shade_points(rays.origins, rays.directions)
     rows, wo = scene.highlight_views(points, WI, np.random.default_rng(2))
@@ -80,8 +77,8 @@ def test_highlight_views_lie_about_the_cone_of_mirrored_light(scene: AssetScene)
 
 @pytest.mark.blender
 def test_direct_light_has_no_noise_and_is_there_where_we_see_the_light(
-    open_worker: OpenWorker,
-) -> None:
+    open_worker,
+):
     worker = open_worker(FUR)
     ours = AssetScene([worker.export_curves()])
     rays = sample_view_rays(ours, WI, 4096, "sphere", np.random.default_rng(0))
@@ -97,7 +94,7 @@ def test_direct_light_has_no_noise_and_is_there_where_we_see_the_light(
 
 
 @pytest.mark.blender
-def test_a_dataset_of_fibers(tmp_path: Path, blender_python: Path) -> None:
+def test_a_dataset_of_fibers(tmp_path, blender_python):
     source = Source(write_scene(tmp_path, "fur", FUR))
     settings = {"lights": 3, "rays": 300, "validation_views": 1, "validation_resolution": 24}
     workers = CaptureWorkers(blender_python, tmp_path / "scratch", 1)

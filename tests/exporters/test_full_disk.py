@@ -26,9 +26,7 @@ def no_space(*_: object) -> None:
     raise FULL
 
 
-def test_an_image_of_blender_that_is_not_whole(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_image_of_blender_that_is_not_whole(tmp_path, monkeypatch):
     path = tmp_path / "out.exr"
     noise = np.random.default_rng(0).random((64, 64), np.float32)
     channels = {f"ViewLayer.Combined.{c}": noise + k for k, c in enumerate("RGBA")}
@@ -44,7 +42,7 @@ def test_an_image_of_blender_that_is_not_whole(
         read_render(path)
 
 
-def test_a_checkpoint_and_a_picture(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_checkpoint_and_a_picture(tmp_path, monkeypatch):
     dataset = make_dataset(tmp_path / "ball.rays")
     model = NeuralAsset(tiny().model, padded_bounds(dataset))
     monkeypatch.setattr(Path, "write_bytes", no_space)
@@ -59,9 +57,7 @@ def test_a_checkpoint_and_a_picture(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     assert not list(out.iterdir())
 
 
-def test_a_package(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_package(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(os, "fsync", no_space)
     out = tmp_path / "out.rna"
     assert pack([str(REPOSITORY / "examples/quickstart/toy.rna"), "--out", str(out)]) == 1

@@ -46,7 +46,7 @@ HALF = {str(x): asset(x, 0.5 * x * 2, 0.5 * x / 2) for x in (2.0, 5.0, 20.0)}
 """Exactly half of the noise ratio, as the geometric mean of two scenes."""
 
 
-def test_variances_are_those_of_paths_and_of_pixels() -> None:
+def test_variances_are_those_of_paths_and_of_pixels():
     rng, n, samples = np.random.default_rng(0), 200_000, 16
     middle = rng.uniform(0.2, 0.4, n)
     first, again = middle + rng.normal(0.0, 0.08 / np.sqrt(samples), (2, n))
@@ -60,7 +60,7 @@ def test_variances_are_those_of_paths_and_of_pixels() -> None:
     assert variances(7.0 * shown, samples) == pytest.approx((path, pixel), rel=1e-4)
 
 
-def test_highlights_that_a_screen_does_not_show_are_no_noise() -> None:
+def test_highlights_that_a_screen_does_not_show_are_no_noise():
     shown = np.full((3, 1000), 0.5, np.float32)
     shown[0, ::50], shown[1, ::50], shown[2, ::50] = 60.0, 90.0, 120.0
     assert variances(shown, 16) == (0.0, 0.0)
@@ -83,7 +83,7 @@ class NoisyCycles:
         return RenderedRays(radiance, points.hit.astype(np.float32), points.position, None)
 
 
-def test_a_pilot_finds_the_noise_of_what_renders() -> None:
+def test_a_pilot_finds_the_noise_of_what_renders():
     scene, settings = AssetScene([sphere(4)]), CaptureSettings(rays=1024)
 
     def measured(deviation: float) -> Pilot:
@@ -99,7 +99,7 @@ def test_a_pilot_finds_the_noise_of_what_renders() -> None:
     assert 1.0 < quiet.noise_ratio < noisy.noise_ratio
 
 
-def test_the_paths_of_a_pilot_are_known_before_it() -> None:
+def test_the_paths_of_a_pilot_are_known_before_it():
     scene, settings = AssetScene([sphere(4)]), CaptureSettings(rays=1024)
     traced = []
 
@@ -112,7 +112,7 @@ def test_the_paths_of_a_pilot_are_known_before_it() -> None:
     assert sum(traced) * settings.samples == pilot_paths(settings)
 
 
-def test_a_share_of_the_noise_ratio_is_found_and_left_out_assets_are_told_exactly() -> None:
+def test_a_share_of_the_noise_ratio_is_found_and_left_out_assets_are_told_exactly():
     assets = list(HALF.values())
     assert predicted(pilot(10.0), assets) == pytest.approx(5.0)
     assert left_out(HALF) == pytest.approx(dict.fromkeys(HALF, 1.0))
@@ -122,7 +122,7 @@ def test_a_share_of_the_noise_ratio_is_found_and_left_out_assets_are_told_exactl
     assert gain(pilot(30.0), HALF).extrapolated and gain(pilot(1.5), HALF).extrapolated
 
 
-def test_the_range_is_the_largest_error_of_a_left_out_asset() -> None:
+def test_the_range_is_the_largest_error_of_a_left_out_asset():
     assets = {**HALF, "odd": asset(5.0, 7.5)}
     worst = max(max(off, 1.0 / off) for off in left_out(assets).values())
     actual = gain(pilot(5.0), assets)
@@ -139,7 +139,7 @@ def test_the_range_is_the_largest_error_of_a_left_out_asset() -> None:
         (40.0, "extrapolated: no measured asset is so noisy"),
     ],
 )
-def test_two_lines_are_told(ratio: float, words: str) -> None:
+def test_two_lines_are_told(ratio, words):
     cost, of_gain = gain_text(pilot(ratio), HALF).split("\n")
     assert cost == (
         f"a path of Cycles takes 12 us, and its variance is {ratio:.2g} times its pixel's "
@@ -150,15 +150,13 @@ def test_two_lines_are_told(ratio: float, words: str) -> None:
 
 
 @pytest.fixture
-def known(monkeypatch: pytest.MonkeyPatch) -> None:
+def known(monkeypatch):
     """A source whose pilot needs no Blender."""
     monkeypatch.setattr(blender_env, "find_python", lambda: Path("python"))
     monkeypatch.setattr(capture_run, "measured_pilot", lambda *_, **__: pilot(10.0))
 
 
-def test_estimate_prints_and_writes_nothing(
-    known: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys
-) -> None:
+def test_estimate_prints_and_writes_nothing(known, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(gain_module, "table_of", lambda: HALF)
     (tmp_path / "ball.py").write_text("pass")

@@ -5,7 +5,6 @@ import pytest
 
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_sdk.errors import CaptureError
-from tests.exporters.conftest import OpenWorker
 
 pytestmark = pytest.mark.blender
 
@@ -30,7 +29,7 @@ bpy.context.scene.collection.objects.link(copy)
 
 
 @pytest.mark.parametrize("scene", SCENES)
-def test_cycles_hits_what_we_hit(scene: str, open_worker: OpenWorker) -> None:
+def test_cycles_hits_what_we_hit(scene, open_worker):
     worker = open_worker(CURLS + SCENES[scene])
     curves = worker.export_curves()
     ours = AssetScene([curves])
@@ -54,15 +53,15 @@ def test_cycles_hits_what_we_hit(scene: str, open_worker: OpenWorker) -> None:
     assert np.percentile(apart, 99) < 2e-5
 
 
-def test_strands_that_would_be_flat_are_refused(open_worker: OpenWorker) -> None:
+def test_strands_that_would_be_flat_are_refused(open_worker):
     worker = open_worker(CURLS + "hair.matrix_world = Matrix.Diagonal((1, 1, 3, 1))")
     with pytest.raises(CaptureError, match="has non-uniform scale, 1 to 3"):
         worker.export_curves()
 
 
 def test_points_without_a_segment_are_left_out_and_no_radius_is_zero(
-    open_worker: OpenWorker,
-) -> None:
+    open_worker,
+):
     curves = open_worker("""
 data = bpy.data.hair_curves.new("h")
 data.add_curves([1, 2, 1, 5, 2])

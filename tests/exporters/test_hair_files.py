@@ -1,8 +1,6 @@
 """Groom files: written strands are read back, faults are named."""
 
 import struct
-from collections.abc import Callable
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -57,7 +55,7 @@ def tfx_4_bytes(offset: int = 160) -> bytes:
     return header + points.astype("<f4").tobytes()
 
 
-def test_hair_round_trip(tmp_path: Path) -> None:
+def test_hair_round_trip(tmp_path):
     written = strands()
     write_hair(tmp_path / "a.hair", written)
     read = read_hair(tmp_path / "a.hair")
@@ -66,7 +64,7 @@ def test_hair_round_trip(tmp_path: Path) -> None:
     assert np.array_equal(read.offsets, written.offsets)
 
 
-def test_hair_is_z_up_and_thickness_a_diameter(tmp_path: Path) -> None:
+def test_hair_is_z_up_and_thickness_a_diameter(tmp_path):
     path = tmp_path / "a.hair"
     path.write_bytes(hair_bytes())
     read = read_hair(path)
@@ -75,7 +73,7 @@ def test_hair_is_z_up_and_thickness_a_diameter(tmp_path: Path) -> None:
     assert read.offsets.tolist() == [0, 2, 5]
 
 
-def test_hair_without_arrays_has_the_defaults(tmp_path: Path) -> None:
+def test_hair_without_arrays_has_the_defaults(tmp_path):
     path = tmp_path / "a.hair"
     path.write_bytes(hair_bytes(points=6, bits=2, default=(2, 0.5)))
     read = read_hair(path)
@@ -83,7 +81,7 @@ def test_hair_without_arrays_has_the_defaults(tmp_path: Path) -> None:
     assert np.allclose(read.radii, 0.25)
 
 
-def test_hair_may_have_transparency_and_colour(tmp_path: Path) -> None:
+def test_hair_may_have_transparency_and_colour(tmp_path):
     path = tmp_path / "a.hair"
     path.write_bytes(hair_bytes(bits=31))
     assert np.allclose(read_hair(path).radii, 0.05)
@@ -106,14 +104,14 @@ def test_hair_may_have_transparency_and_colour(tmp_path: Path) -> None:
         (hair_bytes(thickness=float("nan")), r"thickness: found a negative or not finite"),
     ],
 )
-def test_bad_hair(data: bytes, message: str, tmp_path: Path) -> None:
+def test_bad_hair(data, message, tmp_path):
     path = tmp_path / "bad.hair"
     path.write_bytes(data)
     with pytest.raises(ValueError, match=rf"^bad\.hair: .*{message}"):
         read_hair(path)
 
 
-def test_tfx_is_left_handed_and_takes_its_radius_from_the_caller(tmp_path: Path) -> None:
+def test_tfx_is_left_handed_and_takes_its_radius_from_the_caller(tmp_path):
     path = tmp_path / "a.tfx"
     path.write_bytes(tfx_bytes())
     read = read_tfx(path, 0.25)
@@ -137,7 +135,7 @@ def test_tfx_is_left_handed_and_takes_its_radius_from_the_caller(tmp_path: Path)
         (tfx_bytes(positions=np.full(18, np.inf)), r"positions: found point 0 not finite"),
     ],
 )
-def test_bad_tfx(data: bytes, message: str, tmp_path: Path) -> None:
+def test_bad_tfx(data, message, tmp_path):
     path = tmp_path / "bad.tfx"
     path.write_bytes(data)
     with pytest.raises(ValueError, match=rf"^bad\.tfx: .*{message}"):
@@ -152,13 +150,13 @@ def test_bad_tfx(data: bytes, message: str, tmp_path: Path) -> None:
         lambda s: Strands(s.points, s.radii, np.array([0, 1, 9])),
     ],
 )
-def test_strands_that_do_not_fit_are_refused(broken: Callable[[Strands], Strands]) -> None:
+def test_strands_that_do_not_fit_are_refused(broken):
     with pytest.raises(ValueError, match="strands: found"):
         broken(strands())
 
 
 @pytest.mark.data
-def test_a_real_groom(data_folder: Path) -> None:
+def test_a_real_groom(data_folder):
     read = read_tfx(data_folder / "hair" / "tressfx_ponytail" / "tail.tfx", 0.03)
     assert len(read) == 474 and np.all(read.counts == 16)
     root, tip = read.points[read.offsets[:-1]], read.points[read.offsets[1:] - 1]
@@ -166,7 +164,7 @@ def test_a_real_groom(data_folder: Path) -> None:
     assert np.all(root[:, 2] < 0.0)  # at the back of a head that looks along +z
 
 
-def test_hair_of_one_point_is_left_out_with_a_warning(tmp_path: Path) -> None:
+def test_hair_of_one_point_is_left_out_with_a_warning(tmp_path):
     path = tmp_path / "a.hair"
     path.write_bytes(hair_bytes(strand_count=3, points=6, segments=(1, 0, 2)))
     with pytest.warns(UserWarning, match=r"^a\.hair: 1 of 3 strands have one point"):

@@ -13,7 +13,6 @@ from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves
-from tests.exporters.conftest import OpenWorker, SaveBlend
 from tests.exporters.test_hair_files import tfx_bytes
 
 pytestmark = pytest.mark.blender
@@ -65,7 +64,7 @@ fur.use_close_tip = False
 
 
 @pytest.fixture
-def save(tmp_path: Path, save_blend: SaveBlend) -> Save:
+def save(tmp_path, save_blend):
     """The .blend file of a scene given as the text of a script."""
     return partial(save_blend, tmp_path / "saved.blend")
 
@@ -79,7 +78,7 @@ def lengths(curves: Curves) -> list[int]:
     return np.diff(curves.offsets.astype(np.int64)).tolist()
 
 
-def test_hair_file(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_hair_file(open_worker, tmp_path):
     write_hair(tmp_path / "a.hair", groom())
     worker = open_worker(tmp_path / "a.hair", "--unit", "2")
     curves = worker.export_curves()
@@ -89,9 +88,7 @@ def test_hair_file(open_worker: OpenWorker, tmp_path: Path) -> None:
     assert lengths(curves) == [2, 3]
 
 
-def test_arguments_set_radius_and_number_of_strands(
-    open_worker: OpenWorker, tmp_path: Path
-) -> None:
+def test_arguments_set_radius_and_number_of_strands(open_worker, tmp_path):
     write_hair(tmp_path / "a.hair", groom())
     options = "--radius 0.3 --tip 0.5 --points 4 --strands 10 --melanin 0.1".split()
     curves = open_worker(tmp_path / "a.hair", *options).export_curves()
@@ -99,7 +96,7 @@ def test_arguments_set_radius_and_number_of_strands(
     assert np.allclose(curves.radii.reshape(10, 4)[:, [0, 3]], [0.3, 0.15])
 
 
-def test_tfx_file(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_tfx_file(open_worker, tmp_path):
     (tmp_path / "a.tfx").write_bytes(tfx_bytes())
     curves = open_worker(tmp_path / "a.tfx").export_curves()
     expected = 0.01 * np.arange(18).reshape(6, 3) * [1, 1, -1]
@@ -116,21 +113,19 @@ def test_tfx_file(open_worker: OpenWorker, tmp_path: Path) -> None:
         ("--colour 1", "expected 3 arguments"),
     ],
 )
-def test_bad_arguments_are_named(
-    options: str, message: str, open_worker: OpenWorker, tmp_path: Path
-) -> None:
+def test_bad_arguments_are_named(options, message, open_worker, tmp_path):
     (tmp_path / "a.tfx").write_bytes(tfx_bytes())
     with pytest.raises(CaptureError, match=message):
         open_worker(tmp_path / "a.tfx", *options.split())
 
 
-def test_a_script_that_refuses_its_arguments_is_quoted(open_worker: OpenWorker) -> None:
+def test_a_script_that_refuses_its_arguments_is_quoted(open_worker):
     script = "import argparse\nargparse.ArgumentParser().parse_args()"
     with pytest.raises(CaptureError, match="unrecognized arguments: --what"):
         open_worker(script, "--what")
 
 
-def test_blend_with_hair_curves(save: Save, open_worker: OpenWorker) -> None:
+def test_blend_with_hair_curves(save, open_worker):
     worker = open_worker(save(HAIR))
     curves = worker.export_curves()
     assert worker.kind == "fiber"
@@ -139,7 +134,7 @@ def test_blend_with_hair_curves(save: Save, open_worker: OpenWorker) -> None:
     assert lengths(curves) == [2, 3]
 
 
-def test_huang_becomes_chiang_with_a_note(save: Save, open_worker: OpenWorker) -> None:
+def test_huang_becomes_chiang_with_a_note(save, open_worker):
     body = HAIR + "node(material).model = 'HUANG'\n"
     notes = open_worker(save(body)).opened["notes"]
     assert len(notes) == 1 and "HUANG" in notes[0] and "'hair'" in notes[0]
@@ -149,9 +144,7 @@ def test_huang_becomes_chiang_with_a_note(save: Save, open_worker: OpenWorker) -
 @pytest.mark.parametrize(
     ("children", "strands"), [("NONE", 20), ("SIMPLE", 140), ("INTERPOLATED", 140)]
 )
-def test_particle_hair_is_as_renders_show_it(
-    children: str, strands: int, save: Save, open_worker: OpenWorker
-) -> None:
+def test_particle_hair_is_as_renders_show_it(children, strands, save, open_worker):
     worker = open_worker(save(f"CHILDREN = {children!r}\n{PARTICLES}"))
     curves = worker.export_curves()
     assert worker.kind == "fiber"
@@ -191,9 +184,7 @@ bpy.context.scene.collection.objects.link(empty)
 
 
 @pytest.mark.parametrize("instance", ["", INSTANCE], ids=["itself", "instance"])
-def test_converted_hair_covers_what_particle_hair_covered(
-    instance: str, save: Save, open_worker: OpenWorker, tmp_path: Path
-) -> None:
+def test_converted_hair_covers_what_particle_hair_covered(instance, save, open_worker, tmp_path):
     picture = tmp_path / "particles.exr"
     body = f"CHILDREN = 'SIMPLE'\nPICTURE = {str(picture)!r}\n{PARTICLES}{instance}"
     worker = open_worker(save(body + "fur.use_close_tip = True\n" + RENDER, renders=True))
@@ -209,9 +200,7 @@ def test_converted_hair_covers_what_particle_hair_covered(
     assert np.sum(hit != (alpha.reshape(-1) > 0.5)) < 0.01 * hit.sum()
 
 
-def test_particle_hair_is_the_same_each_time_and_follows_its_emitter(
-    save: Save, open_worker: OpenWorker
-) -> None:
+def test_particle_hair_is_the_same_each_time_and_follows_its_emitter(save, open_worker):
     moves = "item.keyframe_insert('location', frame=1)\n"
     moves += "item.location.z += 1\nitem.keyframe_insert('location', frame=9)\n"
     path = save(f"CHILDREN = 'INTERPOLATED'\n{PARTICLES}{moves}")
@@ -222,9 +211,7 @@ def test_particle_hair_is_the_same_each_time_and_follows_its_emitter(
     np.testing.assert_allclose(worker.export_curves().points, one - (0, 1, 0), atol=1e-6)
 
 
-def test_an_emitter_that_is_rendered_counts_as_a_surface(
-    save: Save, open_worker: OpenWorker
-) -> None:
+def test_an_emitter_that_is_rendered_counts_as_a_surface(save, open_worker):
     body = f"CHILDREN = 'NONE'\n{PARTICLES}item.show_instancer_for_render = True\n"
     worker = open_worker(save(body))
     assert [(part.name, part.kind) for part in worker.parts] == [
@@ -237,12 +224,12 @@ MIXED = HAIR + 'add(CUBE, SIDES).name = "head"\n'
 
 
 @pytest.mark.parametrize(("hidden", "kind"), [("head", "fiber"), ("wig", "surface")])
-def test_one_of_the_two_can_be_hidden(hidden: str, kind: str, open_worker: OpenWorker) -> None:
+def test_one_of_the_two_can_be_hidden(hidden, kind, open_worker):
     worker = open_worker(f"{MIXED}bpy.data.objects[{hidden!r}].hide_render = True\n")
     assert worker.kind == kind
 
 
-def test_a_script_may_use_rna_hair(open_worker: OpenWorker) -> None:
+def test_a_script_may_use_rna_hair(open_worker):
     worker: BlenderWorker = open_worker("""
 import numpy as np, rna_hair
 from rna_hair.objects import add_curves, chiang_material

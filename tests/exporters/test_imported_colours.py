@@ -1,11 +1,8 @@
 """Colours by point, face or strand of PLY, OBJ and USD files are base colours."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
-from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import unit
 from tests.exporters.in_blender import answer_of
 
@@ -70,9 +67,7 @@ answer([links, [list(d.color)[:3] for d in item.data.attributes[links[0]].data] 
 @pytest.mark.parametrize(
     ("name", "text"), [("a.ply", PLY), ("a.obj", OBJ), ("a.usda", USD)], ids=["ply", "obj", "usd"]
 )
-def test_a_mesh_shows_the_colours_of_its_file(
-    open_worker: OpenWorker, tmp_path: Path, name: str, text: str
-) -> None:
+def test_a_mesh_shows_the_colours_of_its_file(open_worker, tmp_path, name, text):
     path = tmp_path / name
     path.write_text(text)
     worker = open_worker(path, up="Z" if name == "a.ply" else None)
@@ -83,7 +78,7 @@ def test_a_mesh_shows_the_colours_of_its_file(
     assert red > 3 * no_blue and blue > 3 * no_red
 
 
-def test_strands_show_the_colours_of_their_file(blender_python: Path, tmp_path: Path) -> None:
+def test_strands_show_the_colours_of_their_file(blender_python, tmp_path):
     path = tmp_path / "h.usda"
     path.write_text(STRANDS)
     links, colours, notes = answer_of(blender_python, _SHOWN, str(path))

@@ -48,7 +48,7 @@ def random_rows(n: int = 397) -> dict[str, np.ndarray]:
         )
     ],
 )
-def test_equals_the_reference(kind: str, inputs: tuple[str, ...]) -> None:
+def test_equals_the_reference(kind, inputs):
     model, at = make_model(inputs), random_rows()
     planes = model.triplane.planes.detach().numpy()
     reference = fiber_queries_reference if kind == "fiber" else queries_reference
@@ -68,7 +68,7 @@ def test_equals_the_reference(kind: str, inputs: tuple[str, ...]) -> None:
 
 
 @pytest.mark.parametrize("kind", PRESETS)
-def test_gradients_are_those_of_the_twin(kind: str) -> None:
+def test_gradients_are_those_of_the_twin(kind):
     blocks = tuple(blocks_for(kind))
     at = {name: torch.from_numpy(rows) for name, rows in random_rows().items()}
     generator = torch.Generator().manual_seed(1)
@@ -84,7 +84,7 @@ def test_gradients_are_those_of_the_twin(kind: str) -> None:
 
 
 @pytest.mark.parametrize("kind", PRESETS)
-def test_opposite_directions_give_finite_gradients(kind: str) -> None:
+def test_opposite_directions_give_finite_gradients(kind):
     model = make_model(tuple(blocks_for(kind)))
     at = {name: torch.from_numpy(rows) for name, rows in random_rows(20).items()}
     model.queries({**at, "wi": -at["wo"]}).square().sum().backward()

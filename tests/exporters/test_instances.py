@@ -1,7 +1,5 @@
 """Instances, hierarchies and linked files are captured as Cycles renders them."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 import trimesh
@@ -10,7 +8,6 @@ from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.view_rays import sample_view_rays
 from rna_sdk.errors import CaptureError
-from tests.exporters.conftest import OpenWorker, SaveBlend
 from tests.exporters.cycles import trace, unit
 
 pytestmark = pytest.mark.blender
@@ -111,7 +108,7 @@ def check_hits(worker: BlenderWorker) -> None:
     ("way", "kind"),
     [*((way, "surface") for way in INSTANCES), ("nested", "fiber"), ("nodes", "fiber")],
 )
-def test_two_instances(way: str, kind: str, open_worker: OpenWorker) -> None:
+def test_two_instances(way, kind, open_worker):
     worker = open_worker(PIECE[kind] + TOOLS + INSTANCES[way])
     assert worker.kind == kind
     if kind == "surface":
@@ -121,7 +118,7 @@ def test_two_instances(way: str, kind: str, open_worker: OpenWorker) -> None:
     check_hits(worker)
 
 
-def test_hierarchies_of_gltf(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_hierarchies_of_gltf(open_worker, tmp_path):
     """Nodes below nodes: a turned parent, a mirrored child, one mesh in two places."""
     box = trimesh.creation.box((1, 2, 3))
     scene = trimesh.Scene()
@@ -167,9 +164,7 @@ item.show_instancer_for_render = False
 """
 
 
-def test_a_linked_library_moves_with_its_folder(
-    open_worker: OpenWorker, save_blend: SaveBlend, tmp_path: Path
-) -> None:
+def test_a_linked_library_moves_with_its_folder(open_worker, save_blend, tmp_path):
     save_blend(tmp_path / "a" / "library.blend", LIBRARY)
     save_blend(tmp_path / "a" / "scene.blend", LINKED)
     moved = (tmp_path / "a").rename(tmp_path / "b")
@@ -177,9 +172,7 @@ def test_a_linked_library_moves_with_its_folder(
     np.testing.assert_allclose(positions.min(axis=0), [2, -1, -1], atol=0.02)
 
 
-def test_a_missing_library_is_named(
-    open_worker: OpenWorker, save_blend: SaveBlend, tmp_path: Path
-) -> None:
+def test_a_missing_library_is_named(open_worker, save_blend, tmp_path):
     library = save_blend(tmp_path / "library.blend", LIBRARY)
     path = save_blend(tmp_path / "scene.blend", LINKED)
     library.unlink()
@@ -190,9 +183,7 @@ def test_a_missing_library_is_named(
         open_worker(path)
 
 
-def test_particle_hair_of_a_linked_collection(
-    open_worker: OpenWorker, save_blend: SaveBlend, tmp_path: Path
-) -> None:
+def test_particle_hair_of_a_linked_collection(open_worker, save_blend, tmp_path):
     save_blend(tmp_path / "library.blend", LIBRARY + FUR)
     worker = open_worker(save_blend(tmp_path / "scene.blend", LINKED))
     curves = worker.export_curves()
@@ -202,7 +193,7 @@ def test_particle_hair_of_a_linked_collection(
     check_hits(worker)
 
 
-def test_particle_hair_is_shown_by_every_instance(open_worker: OpenWorker) -> None:
+def test_particle_hair_is_shown_by_every_instance(open_worker):
     """The emitter in the scene itself, too: its hair is in the collection as well."""
     body = (
         LIBRARY
@@ -216,7 +207,7 @@ def test_particle_hair_is_shown_by_every_instance(open_worker: OpenWorker) -> No
     check_hits(worker)
 
 
-def test_particle_hair_on_other_instances_is_refused(open_worker: OpenWorker) -> None:
+def test_particle_hair_on_other_instances_is_refused(open_worker):
     body = PIECE["surface"] + FUR + TOOLS + INSTANCES["vertices"]
     with pytest.raises(CaptureError, match="has particle hair and is instanced by 'object"):
         open_worker(body)

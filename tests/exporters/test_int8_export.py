@@ -1,7 +1,6 @@
 """int8 tiers: the decoder is its twin's, near the trained one; planes and names are right."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import onnx
@@ -32,7 +31,7 @@ from tests.exporters.test_decoder_export import make_model, run
     ("kind", "preset"), [(kind, preset) for kind in PRESETS for preset in PRESETS[kind]]
 )
 @torch.no_grad()
-def test_onnx_is_the_twin_and_near_the_trained(kind: str, preset: str) -> None:
+def test_onnx_is_the_twin_and_near_the_trained(kind, preset):
     model = make_model(preset, kind)
     queries = random_queries(model, 5000, 7)
     layers = int8_decoder(model.decoder, queries)
@@ -45,7 +44,7 @@ def test_onnx_is_the_twin_and_near_the_trained(kind: str, preset: str) -> None:
 
 @pytest.mark.parametrize("preset", ["small", "paper-small"])
 @torch.no_grad()
-def test_the_runtime_runs_the_exported_integers(preset: str) -> None:
+def test_the_runtime_runs_the_exported_integers(preset):
     model = make_model(preset)
     queries = random_queries(model, 5000, 7)
     decoder = export_decoder(model, int8_decoder(model.decoder, queries))
@@ -65,7 +64,7 @@ def test_the_runtime_runs_the_exported_integers(preset: str) -> None:
 
 @pytest.mark.parametrize("columns", [22, 17, 24])
 @torch.no_grad()
-def test_a_row_does_not_depend_on_the_number_of_rows(columns: int) -> None:
+def test_a_row_does_not_depend_on_the_number_of_rows(columns):
     layers = (torch.nn.Linear(columns, 16), torch.nn.ReLU(), torch.nn.Linear(16, 6))
     model = replace(make_model(), decoder=torch.nn.Sequential(*layers))
     queries = torch.randn(2000, columns)
@@ -88,7 +87,7 @@ def test_a_row_does_not_depend_on_the_number_of_rows(columns: int) -> None:
     ],
     ids=["weight", "bias", "scale"],
 )
-def test_another_decoder_is_refused(change) -> None:
+def test_another_decoder_is_refused(change):
     model = make_model()
     queries = random_queries(model, 5000, 7)
     layers = int8_decoder(model.decoder, queries)
@@ -98,7 +97,7 @@ def test_another_decoder_is_refused(change) -> None:
         compare_int8_decoder(decoder, model, others, queries)
 
 
-def test_output_is_finite_and_never_negative_whatever_is_asked() -> None:
+def test_output_is_finite_and_never_negative_whatever_is_asked():
     model = make_model()
     decoder = export_decoder(model, int8_decoder(model.decoder, random_queries(model, 5000, 7)))
     values = torch.tensor([0.0, -0.0, 1e30, -1e30, 3e38, -3e38, 1e-45, 65504.0])
@@ -106,7 +105,7 @@ def test_output_is_finite_and_never_negative_whatever_is_asked() -> None:
     assert np.isfinite(actual).all() and actual.min() >= 0.0 and actual.max() <= 12.6
 
 
-def test_a_neuron_that_never_fires_and_an_input_that_never_varies_do_no_harm() -> None:
+def test_a_neuron_that_never_fires_and_an_input_that_never_varies_do_no_harm():
     model = make_model()
     model.decoder[0].bias.data[3] = -1e4
     queries = random_queries(model, 5000, 7)
@@ -116,7 +115,7 @@ def test_a_neuron_that_never_fires_and_an_input_that_never_varies_do_no_harm() -
     assert float((y - exact).square().mean()) < 1e-3 * float(exact.square().mean())
 
 
-def test_int8_planes_are_within_half_a_step() -> None:
+def test_int8_planes_are_within_half_a_step():
     planes = np.random.default_rng(0).normal(size=(3, 8, 8, 4)).astype(np.float32)
     planes[1, :, :, 2] = 0.0
     planes[2] *= 100.0
@@ -127,14 +126,14 @@ def test_int8_planes_are_within_half_a_step() -> None:
     assert not stored.decoded()[1, :, :, 2].any()
 
 
-def test_names_of_tiers() -> None:
+def test_names_of_tiers():
     pairs = [("float32", "int8"), ("int8", "int8"), ("int8", "float16"), ("float32", "float32")]
     names = [Precision(*pair).tier_name("hq") for pair in pairs]
     assert names == ["hq", "hq-int8", "hq-int8-float16", "hq-float32"]
 
 
 @pytest.fixture(scope="module")
-def checkpoint(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def checkpoint(tmp_path_factory):
     folder = tmp_path_factory.mktemp("int8")
     dataset = make_dataset(folder / "ball.rays")
     with pytest.MonkeyPatch.context() as patch:
@@ -142,7 +141,7 @@ def checkpoint(tmp_path_factory: pytest.TempPathFactory) -> Path:
         return train(Run(dataset, tiny(steps=200), "small", folder / "small"))
 
 
-def test_the_command_writes_a_tier_a_precision(checkpoint: Path, tmp_path: Path) -> None:
+def test_the_command_writes_a_tier_a_precision(checkpoint, tmp_path):
     path = tmp_path / "ball.rna"
     assert main([str(checkpoint), "--precision", "float32", "int8", "--out", str(path)]) == 0
     assert validate(path) == []
@@ -156,7 +155,7 @@ def test_the_command_writes_a_tier_a_precision(checkpoint: Path, tmp_path: Path)
     assert load(path, min_psnr=int8.validation.psnr - 0.01).tier.name == "small-int8"
 
 
-def test_precisions_are_for_all_presets_or_for_one() -> None:
+def test_precisions_are_for_all_presets_or_for_one():
     plain, int8 = Precision(), Precision("int8")
 
     def of(*words: str) -> dict[str, list[Precision]]:
@@ -167,22 +166,20 @@ def test_precisions_are_for_all_presets_or_for_one() -> None:
 
 
 @pytest.mark.parametrize("word", ["int4", "small=int4", "=int8=", "small="])
-def test_another_precision_is_bad_usage(word: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_another_precision_is_bad_usage(word, capsys):
     with pytest.raises(SystemExit, match="2"):
         main(["best.ckpt", "--precision", word, "--out", "ball.rna"])
     assert f"found {word}, expected [PRESET=]float32|int8|" in capsys.readouterr().err
 
 
-def test_a_precision_of_another_preset_is_refused(
-    checkpoint: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_precision_of_another_preset_is_refused(checkpoint, tmp_path, capsys):
     path = tmp_path / "ball.rna"
     assert main([str(checkpoint), "--precision", "tiny=int8", "--out", str(path)]) == 1
     assert "found preset 'tiny', expected one of small" in capsys.readouterr().err
     assert not path.exists()
 
 
-def test_presets_have_precisions_of_their_own(checkpoint: Path, tmp_path: Path) -> None:
+def test_presets_have_precisions_of_their_own(checkpoint, tmp_path):
     small = load_checkpoint(checkpoint)
     trained = [small, replace(small, preset_name="hq")]
     path, precisions = tmp_path / "two.rna", {"small": [Precision()], "hq": [Precision("int8")]}
@@ -193,7 +190,7 @@ def test_presets_have_precisions_of_their_own(checkpoint: Path, tmp_path: Path) 
         assert [tier.name for tier in package.manifest.tiers] == ["small", "hq-int8"]
 
 
-def test_tiers_of_any_pair_share_their_entries(checkpoint: Path, tmp_path: Path) -> None:
+def test_tiers_of_any_pair_share_their_entries(checkpoint, tmp_path):
     pairs = [Precision(d, p) for d in ("float32", "int8") for p in ("float16", "int8")]
     trained = load_checkpoint(checkpoint)
     path = tmp_path / "every.rna"
@@ -206,9 +203,7 @@ def test_tiers_of_any_pair_share_their_entries(checkpoint: Path, tmp_path: Path)
     assert len(manifest.entries) == 1 + 2 + 2 * 2  # two precisions of planes and of decoders
 
 
-def test_a_tier_that_loses_too_much_is_refused(
-    checkpoint: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_tier_that_loses_too_much_is_refused(checkpoint, tmp_path, capsys):
     path = tmp_path / "ball.rna"
     arguments = [str(checkpoint), "--precision", "int8", "--out", str(path)]
     with hurried_packages():
@@ -221,7 +216,7 @@ def test_a_tier_that_loses_too_much_is_refused(
 
 @pytest.mark.parametrize("kind", PRESETS)
 @torch.no_grad()
-def test_no_exported_weights_can_saturate(kind: str) -> None:
+def test_no_exported_weights_can_saturate(kind):
     for preset in PRESETS[kind]:
         model = make_model(preset, kind)
         for parameter in model.decoder.parameters():

@@ -38,7 +38,7 @@ def brightness_error(model: DecoderModel, decoder: Int8Decoder, at: Calibration)
 
 
 @pytest.mark.parametrize(("kind", "channels"), [("surface", 1), ("fiber", 3)])
-def test_a_decoder_that_is_off_is_brought_back(kind: str, channels: int) -> None:
+def test_a_decoder_that_is_off_is_brought_back(kind, channels):
     model = make_model("small", kind)
     model.decoder[-1].bias.data += 1.0  # every channel has light
     calibration, others = (make_calibration(model, seed, channels) for seed in (7, 8))
@@ -54,7 +54,7 @@ def test_a_decoder_that_is_off_is_brought_back(kind: str, channels: int) -> None
     compare_int8_decoder(export_decoder(model, better), model, better, others.queries)
 
 
-def test_tuning_repeats_itself() -> None:
+def test_tuning_repeats_itself():
     model = make_model()
     calibration = make_calibration(model, 7, 1)
     plain = int8_decoder(model.decoder, calibration.queries)

@@ -29,20 +29,20 @@ def gradient_of_the_outputs(kind: str, preset: str, visible: float) -> tuple[flo
 
 
 @pytest.mark.parametrize(("kind", "preset"), ALL)
-def test_visible_samples_leave_the_shadowed_output_alone(kind: str, preset: str) -> None:
+def test_visible_samples_leave_the_shadowed_output_alone(kind, preset):
     lit, shadowed = gradient_of_the_outputs(kind, preset, 1.0)
     assert lit > 0.0 and shadowed == 0.0
 
 
 @pytest.mark.parametrize(("kind", "preset"), ALL)
-def test_shadowed_samples_leave_the_visible_output_alone(kind: str, preset: str) -> None:
+def test_shadowed_samples_leave_the_visible_output_alone(kind, preset):
     lit, shadowed = gradient_of_the_outputs(kind, preset, 0.0)
     assert lit == 0.0 and shadowed > 0.0
 
 
 @pytest.mark.parametrize("loss", ["log", "unbiased"])
 @pytest.mark.parametrize("preset", ["small", "hq"])
-def test_decoders_that_see_their_own_samples_learn_the_same(preset: str, loss: str) -> None:
+def test_decoders_that_see_their_own_samples_learn_the_same(preset, loss):
     """As those that see all samples, of whose outputs the loss takes one."""
     torch.manual_seed(0)
     fields, lit = SAMPLE_FIELDS["surface"], 23
@@ -60,7 +60,7 @@ def test_decoders_that_see_their_own_samples_learn_the_same(preset: str, loss: s
 
 
 @pytest.mark.parametrize("turned", [False, True])
-def test_behind_the_normal_errors_of_light_count_as_in_shadow(turned: bool) -> None:
+def test_behind_the_normal_errors_of_light_count_as_in_shadow(turned):
     """They are relative above a tenth of the unit, not above the unit."""
     torch.manual_seed(0)
     fields = SAMPLE_FIELDS["surface"]
@@ -73,7 +73,7 @@ def test_behind_the_normal_errors_of_light_count_as_in_shadow(turned: bool) -> N
     assert loss.item() == pytest.approx(relative.square().mean().item(), rel=1e-4)
 
 
-def test_behind_the_normal_answers_far_off_have_a_loss() -> None:
+def test_behind_the_normal_answers_far_off_have_a_loss():
     """Their radiance is beyond float32."""
     fields = SAMPLE_FIELDS["surface"]
     model = Fitting(tiny("small", loss="log"), BOUNDS, 9.0, 1.0, fields).model
@@ -84,7 +84,7 @@ def test_behind_the_normal_answers_far_off_have_a_loss() -> None:
 
 
 @pytest.mark.parametrize(("loss", "learnt"), [("log", 5.0**0.25 - 1.0), ("unbiased", 1.0)])
-def test_the_loss_that_a_preset_names_decides_what_noise_does(loss: str, learnt: float) -> None:
+def test_the_loss_that_a_preset_names_decides_what_noise_does(loss, learnt):
     """Light that is 4 in one sample of four and else 0: its logarithm's mean is far below."""
     torch.manual_seed(0)
     fields = SAMPLE_FIELDS["surface"]
@@ -102,7 +102,7 @@ def test_the_loss_that_a_preset_names_decides_what_noise_does(loss: str, learnt:
 
 
 @pytest.mark.parametrize("weight", [1.0, 10.0])
-def test_shadows_count_as_often_as_their_weight(weight: float) -> None:
+def test_shadows_count_as_often_as_their_weight(weight):
     """A batch of light and shadow: its loss is the mean of both, weighted."""
     torch.manual_seed(0)
     fields = SAMPLE_FIELDS["surface"]

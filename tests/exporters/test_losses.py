@@ -16,19 +16,19 @@ def settle(targets: torch.Tensor, loss=log_l2) -> float:
     return torch.expm1(y).item()
 
 
-def test_is_the_papers() -> None:
+def test_is_the_papers():
     y, target = torch.tensor([[0.1, 0.0, 1.0]]), torch.tensor([[0.0, 1.0, 2.0]])
     expected = ((y - torch.log(target + 1.0)) ** 2).mean()
     assert log_l2(y, target).item() == pytest.approx(expected.item())
 
 
-def test_the_target_itself_has_no_loss() -> None:
+def test_the_target_itself_has_no_loss():
     target = torch.rand(50, 3, generator=torch.Generator().manual_seed(1))
     assert log_l2(torch.log1p(target), target).item() < 1e-12
     assert settle(target[:1, :1]) == pytest.approx(target[0, 0].item(), abs=1e-3)
 
 
-def test_the_unit_scales_what_counts_as_bright() -> None:
+def test_the_unit_scales_what_counts_as_bright():
     target = torch.rand(50, 3, generator=torch.Generator().manual_seed(1))
     unit = torch.tensor(0.05)
     assert log_l2(torch.log1p(target / unit), target, unit).item() < 1e-12
@@ -38,7 +38,7 @@ def test_the_unit_scales_what_counts_as_bright() -> None:
 
 
 @pytest.mark.parametrize("deviation", [0.1, 0.2])
-def test_noise_darkens_by_half_its_variance(deviation: float) -> None:
+def test_noise_darkens_by_half_its_variance(deviation):
     noise = torch.randn(20_000, generator=torch.Generator().manual_seed(0))
     targets = (0.6 + deviation * noise).clamp(min=0.0)
     darker = targets.mean().item() - settle(targets)
@@ -46,27 +46,27 @@ def test_noise_darkens_by_half_its_variance(deviation: float) -> None:
     assert darker == pytest.approx(expected, rel=0.1)
 
 
-def test_noise_of_few_paths_darkens_much() -> None:
+def test_noise_of_few_paths_darkens_much():
     """Mostly dark, sometimes bright: hair at one path a point."""
     bright = torch.rand(3000, generator=torch.Generator().manual_seed(0)) < 0.1
     targets = torch.where(bright, 5.0, 0.0)
     assert settle(targets) < 0.45 * targets.mean().item()
 
 
-def test_noise_does_not_darken_the_unbiased_one() -> None:
+def test_noise_does_not_darken_the_unbiased_one():
     bright = torch.rand(3000, generator=torch.Generator().manual_seed(0)) < 0.1
     targets = torch.where(bright, 5.0, 0.0)
     assert settle(targets, unbiased_l2) == pytest.approx(targets.mean().item(), rel=0.02)
 
 
-def test_near_the_truth_the_unbiased_one_is_the_papers() -> None:
+def test_near_the_truth_the_unbiased_one_is_the_papers():
     target = torch.rand(50, 3, generator=torch.Generator().manual_seed(1))
     y = torch.log1p(target + 1e-3)
     assert unbiased_l2(y, target).item() == pytest.approx(log_l2(y, target).item(), rel=1e-2)
 
 
 @pytest.mark.parametrize("loss", [log_l2, unbiased_l2])
-def test_gradients_stay_finite_far_off(loss) -> None:
+def test_gradients_stay_finite_far_off(loss):
     y = torch.tensor([[-100.0, 0.0, 80.0]], requires_grad=True)
     loss(y, torch.tensor([[0.0, 1e4, 1.0]])).backward()
     assert torch.isfinite(y.grad).all()

@@ -1,7 +1,7 @@
 """A make by turns, without Blender: rays of a known ball take the place of Cycles'."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from threading import Event
@@ -101,7 +101,7 @@ class Cycles:
 
 
 @pytest.fixture
-def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple[Made, Cycles]]:
+def make(monkeypatch, tmp_path):
     """Runs a make of tiny models in `<tmp_path>/work`."""
     for name, width in (("tiny", 16), ("small", 24)):
         preset = tiny(name, steps=80, optimizer="adam").with_model(width=width)
@@ -148,7 +148,7 @@ def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple
     return run
 
 
-def test_without_a_goal_it_ends_when_the_error_stops_falling(make: Any, tmp_path: Path) -> None:
+def test_without_a_goal_it_ends_when_the_error_stops_falling(make, tmp_path):
     made, _ = make(presets=("tiny", "small"))
     assert made.why == "stopped falling" and made.rounds >= 3
     assert made.lead == "small" and len(made.checkpoints) == 2
@@ -161,22 +161,20 @@ def test_without_a_goal_it_ends_when_the_error_stops_falling(make: Any, tmp_path
 
 
 @pytest.fixture(scope="module")
-def whole_run() -> list[tuple[Made, Cycles]]:
+def whole_run():
     """Calls of `whole`, once it was made."""
     return []
 
 
 @pytest.fixture
-def whole(
-    make: Any, whole_run: list[tuple[Made, Cycles]], tmp_path_factory: pytest.TempPathFactory
-) -> tuple[Made, Cycles]:
+def whole(make, whole_run, tmp_path_factory):
     """A make without a goal that nothing stopped."""
     if not whole_run:
         whole_run.append(make(work=tmp_path_factory.mktemp("whole") / "work"))
     return whole_run[0]
 
 
-def test_each_round_adds_rays(whole: tuple[Made, Cycles]) -> None:
+def test_each_round_adds_rays(whole):
     made, cycles = whole
     assert cycles.shards > 4
     samples = made.dataset.only.training_samples()
@@ -184,8 +182,8 @@ def test_each_round_adds_rays(whole: tuple[Made, Cycles]) -> None:
 
 
 def test_images_are_small_in_rounds_and_as_large_as_there_was_time_for_at_the_end(
-    whole: tuple[Made, Cycles],
-) -> None:
+    whole,
+):
     made, cycles = whole
     first, *_, last = cycles.images
     usual = CaptureSettings().validation_samples
@@ -195,13 +193,13 @@ def test_images_are_small_in_rounds_and_as_large_as_there_was_time_for_at_the_en
     assert state.images is None and all(round_.score is not None for round_ in state.rounds)
 
 
-def test_a_goal_that_is_met_ends_the_rounds_and_spares_the_last_phase(make: Any) -> None:
+def test_a_goal_that_is_met_ends_the_rounds_and_spares_the_last_phase(make):
     made, _ = make(goal=Goal("min_psnr", 5.0))
     assert (made.why, made.rounds) == ("goal met", 1)
     assert made.checkpoints[0].name == "round-01"
 
 
-def test_the_last_phase_is_longer_than_the_rounds(whole: tuple[Made, Cycles]) -> None:
+def test_the_last_phase_is_longer_than_the_rounds(whole):
     made, _ = whole
     last = made.dataset.folder.parent / "runs" / "small" / "last"
     rounds = [load_checkpoint(f / "best.ckpt").steps for f in sorted(last.parent.glob("round-*"))]
@@ -209,7 +207,7 @@ def test_the_last_phase_is_longer_than_the_rounds(whole: tuple[Made, Cycles]) ->
 
 
 @pytest.mark.parametrize(("goal", "rounds"), [(None, 1), (Goal("min_psnr", 90.0), 2)])
-def test_minutes_end_it(make: Any, goal: Goal | None, rounds: int, capsys: Any) -> None:
+def test_minutes_end_it(make, goal, rounds, capsys):
     made, _ = make(minutes=0.05, goal=goal)
     assert made.why == "time is up" and made.rounds == rounds
     output = capsys.readouterr().out
@@ -219,9 +217,7 @@ def test_minutes_end_it(make: Any, goal: Goal | None, rounds: int, capsys: Any) 
 
 
 @pytest.mark.parametrize("minutes", [None, 0.05])
-def test_trainings_beside_captures_come_to_the_same_end(
-    make: Any, monkeypatch: pytest.MonkeyPatch, minutes: float | None
-) -> None:
+def test_trainings_beside_captures_come_to_the_same_end(make, monkeypatch, minutes):
     """As with a GPU: the capture of a round begins before the training of the last has ended."""
     monkeypatch.setattr(MakeOptions, "overlaps", True)
     goal = None if minutes is None else Goal("min_psnr", 90.0)
@@ -232,7 +228,7 @@ def test_trainings_beside_captures_come_to_the_same_end(
     assert made.checkpoints[0].name in (*rounds, "last")
 
 
-def test_lights_have_one_round_and_no_training_but_the_last(make: Any) -> None:
+def test_lights_have_one_round_and_no_training_but_the_last(make):
     made, cycles = make(presets=("tiny", "small"), lights=64)
     assert (made.why, made.rounds) == ("lights used up", 1)
     assert cycles.shards * SHARD == 64
@@ -241,9 +237,7 @@ def test_lights_have_one_round_and_no_training_but_the_last(make: Any) -> None:
 
 
 @pytest.mark.parametrize("stage", ["rays 0", "rays 3", "train 2", "last"])
-def test_a_make_stopped_at_any_stage_comes_to_the_same_end(
-    stage: str, make: Any, monkeypatch: pytest.MonkeyPatch, whole: tuple[Made, Cycles]
-) -> None:
+def test_a_make_stopped_at_any_stage_comes_to_the_same_end(stage, make, monkeypatch, whole):
     expected_made, _ = whole
     expected = load_checkpoint(expected_made.checkpoints[0] / "best.ckpt").model.state_dict()
 
@@ -258,7 +252,7 @@ def test_a_make_stopped_at_any_stage_comes_to_the_same_end(
         np.testing.assert_array_equal(actual[name], weights, name)
 
 
-def test_rays_that_were_replaced_are_refused(make: Any, tmp_path: Path) -> None:
+def test_rays_that_were_replaced_are_refused(make, tmp_path):
     with pytest.raises(Stopped):
         make(stop_after=1)
     (manifest,) = (tmp_path / "work").rglob("manifest.json")
@@ -319,14 +313,14 @@ def stopping(*_: Any, **__: Any) -> None:
     raise Stopped
 
 
-def test_another_order_in_the_same_folder_is_refused(make: Any) -> None:
+def test_another_order_in_the_same_folder_is_refused(make):
     make(goal=Goal("min_psnr", 5.0))
     with pytest.raises(TrainingError, match="was started with goal"):
         make(goal=Goal("min_psnr", 6.0))
 
 
 @pytest.fixture
-def starts(monkeypatch: pytest.MonkeyPatch) -> list[Path | None]:
+def starts(monkeypatch):
     """Where each training starts from, in order."""
     noted: list[Path | None] = []
     train = phases_module.train
@@ -339,9 +333,7 @@ def starts(monkeypatch: pytest.MonkeyPatch) -> list[Path | None]:
     return noted
 
 
-def test_more_minutes_go_on_from_the_rays_and_the_model(
-    make: Any, starts: list[Path | None], tmp_path: Path, capsys: Any
-) -> None:
+def test_more_minutes_go_on_from_the_rays_and_the_model(make, starts, tmp_path, capsys):
     first, cycles = make(minutes=0.05, goal=Goal("min_psnr", 90.0))
     before = sorted((tmp_path / "work" / "rays" / "train").iterdir())
     assert len(before) == cycles.shards and read_state(tmp_path / "work").is_finished
@@ -356,9 +348,7 @@ def test_more_minutes_go_on_from_the_rays_and_the_model(
     assert state.is_finished and state.before["small"].psnr >= state.last["small"].score.psnr
 
 
-def test_a_model_of_too_few_steps_is_no_package_and_its_rays_are_kept(
-    make: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
+def test_a_model_of_too_few_steps_is_no_package_and_its_rays_are_kept(make, monkeypatch, tmp_path):
     with monkeypatch.context() as patch, pytest.raises(TrainingError) as error:
         patch.setattr(training_floor, "_FLOOR", 1e6)
         make(minutes=0.05)
@@ -369,7 +359,7 @@ def test_a_model_of_too_few_steps_is_no_package_and_its_rays_are_kept(
     assert made.why == "time is up" and made.rounds == 2
 
 
-def test_more_minutes_that_were_stopped_go_on_with_their_own(make: Any, tmp_path: Path) -> None:
+def test_more_minutes_that_were_stopped_go_on_with_their_own(make, tmp_path):
     make(minutes=0.05)
     with pytest.raises(Stopped):
         make(minutes=0.05, more=0.05, stop_after=0)
@@ -378,7 +368,7 @@ def test_more_minutes_that_were_stopped_go_on_with_their_own(make: Any, tmp_path
     assert made.rounds == 2 and read_state(tmp_path / "work").more == begun
 
 
-def test_the_better_model_is_kept(make: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_better_model_is_kept(make, monkeypatch):
     """A few more seconds make a worse one: the package has that of before."""
     first, _ = make(minutes=0.05)
     expected = load_checkpoint(first.checkpoints[0] / "best.ckpt").model.state_dict()
@@ -390,12 +380,12 @@ def test_the_better_model_is_kept(make: Any, monkeypatch: pytest.MonkeyPatch) ->
         np.testing.assert_array_equal(actual[name], weights, name)
 
 
-def test_more_needs_rays(make: Any) -> None:
+def test_more_needs_rays(make):
     with pytest.raises(TrainingError, match="found no rays to continue with"):
         make(more=0.05)
 
 
-def test_an_option_of_new_rays_may_change_with_more(make: Any) -> None:
+def test_an_option_of_new_rays_may_change_with_more(make):
     make(minutes=0.05)
     with pytest.raises(TrainingError, match=r"ball\.py has changed since .*: --update captures"):
         make(minutes=0.05, text="red")
@@ -408,8 +398,8 @@ def test_an_option_of_new_rays_may_change_with_more(make: Any) -> None:
 
 
 def test_an_update_starts_from_the_old_model_where_the_geometry_is_the_same(
-    make: Any, starts: list[Path | None], tmp_path: Path, capsys: Any
-) -> None:
+    make, starts, tmp_path, capsys
+):
     make(minutes=0.05)
     make(minutes=0.03, update=True, text="red")
     assert "asset has the same geometry" in capsys.readouterr().out
@@ -422,19 +412,19 @@ def test_an_update_starts_from_the_old_model_where_the_geometry_is_the_same(
     assert starts[2:] == [None] and read_state(tmp_path / "work").starts == ()
 
 
-def test_an_update_needs_something_to_start_from(make: Any) -> None:
+def test_an_update_needs_something_to_start_from(make):
     with pytest.raises(TrainingError, match="starts from the rays and models of a finished"):
         make(minutes=0.03, update=True)
 
 
-def test_a_damaged_state_is_one_line(make: Any, tmp_path: Path) -> None:
+def test_a_damaged_state_is_one_line(make, tmp_path):
     make(goal=Goal("min_psnr", 5.0))
     (tmp_path / "work" / "make.json").write_text("{")
     with pytest.raises(TrainingError, match=r"make\.json"):
         make(goal=Goal("min_psnr", 5.0))
 
 
-def test_beside_it_goes_on_until_the_next_one() -> None:
+def test_beside_it_goes_on_until_the_next_one():
     done: list[int] = []
     go_on = Event()
 
@@ -452,7 +442,7 @@ def test_beside_it_goes_on_until_the_next_one() -> None:
 
 
 @pytest.mark.parametrize("beside", [False, True])
-def test_an_error_of_a_training_is_raised_to_the_caller(beside: bool) -> None:
+def test_an_error_of_a_training_is_raised_to_the_caller(beside):
     def fail() -> None:
         raise TrainingError("diverged")
 

@@ -24,7 +24,7 @@ def batch(folder: Path, *names: str) -> Namespace:
     return Namespace(model=models, out=None, out_dir=folder / "assets", minutes=3.0, more=None)
 
 
-def test_a_batch_makes_what_it_can_and_lists_failures_at_the_end(tmp_path: Path, capsys) -> None:
+def test_a_batch_makes_what_it_can_and_lists_failures_at_the_end(tmp_path, capsys):
     def make(job: Namespace) -> None:
         if job.model.stem == "bad":
             raise RnaError("bad.blend: no such file")
@@ -46,7 +46,7 @@ def test_a_batch_makes_what_it_can_and_lists_failures_at_the_end(tmp_path: Path,
         assert (assets / "a.png").read_bytes() == package.poster()
 
 
-def test_models_of_one_name_are_refused_before_any_work(tmp_path: Path) -> None:
+def test_models_of_one_name_are_refused_before_any_work(tmp_path):
     with pytest.raises(RnaError, match=r"two models would write a\.rna"):
         jobs_of(batch(tmp_path, "a.blend", "a.glb"))
 
@@ -66,14 +66,14 @@ def test_models_of_one_name_are_refused_before_any_work(tmp_path: Path) -> None:
         (["a.blend", "--out", "a.rna", "--max-error", "36"], "found 36; --min-psnr is for dB"),
     ],
 )
-def test_bad_usage_exits_with_2(arguments: list[str], message: str, capsys) -> None:
+def test_bad_usage_exits_with_2(arguments, message, capsys):
     with pytest.raises(SystemExit) as caught:
         rna_make.main(arguments)
     assert caught.value.code == 2 and message in capsys.readouterr().err
 
 
 @pytest.fixture
-def work(tmp_path: Path) -> Path:
+def work(tmp_path):
     """Folder of a run of three minutes that is finished."""
     settings = RunSettings(
         source="a.blend",
@@ -96,31 +96,31 @@ def options(**given: object) -> Namespace:
     return Namespace(**{**usual, **given})
 
 
-def test_more_carries_the_options_of_the_run_on(work: Path) -> None:
+def test_more_carries_the_options_of_the_run_on(work):
     carried = carried_options(options(more=10.0), work, ())
     assert (carried.more, carried.minutes) == (10.0, 3.0)
     assert carried.presets == ("small", "hq") and carried.arguments == ("--tip", "1")
     assert carried.settings == {"seed": 7, "sharpest": 0.1} and carried.seed == 7
 
 
-def test_more_minutes_in_all_are_more_minutes(work: Path) -> None:
+def test_more_minutes_in_all_are_more_minutes(work):
     assert carried_options(options(minutes=5.0), work, ()).more == pytest.approx(2.0)
     assert carried_options(options(minutes=3.0), work, ()).more is None  # the same command
     with pytest.raises(TrainingError, match=r"--minutes 2: 3\.0 are spent already"):
         carried_options(options(minutes=2.0), work, ())
 
 
-def test_minutes_of_lobes_are_no_minutes_of_the_run(work: Path) -> None:
+def test_minutes_of_lobes_are_no_minutes_of_the_run(work):
     assert carried_options(options(minutes=5.0), work, (), 2.0).more is None  # 3 of them, as before
     assert carried_options(options(more=5.0), work, (), 2.0).more == pytest.approx(3.0)
 
 
-def test_an_update_takes_a_third_of_the_time(work: Path) -> None:
+def test_an_update_takes_a_third_of_the_time(work):
     assert carried_options(options(update=True), work, ()).minutes == pytest.approx(1.0)
     assert carried_options(options(update=True, minutes=2.0), work, ()).minutes == 2.0
 
 
-def test_a_new_run_carries_nothing_on(tmp_path: Path) -> None:
+def test_a_new_run_carries_nothing_on(tmp_path):
     carried = carried_options(options(minutes=5.0, seed=3), tmp_path, ("x",))
     assert (carried.presets, carried.minutes, carried.more) == (("small",), 5.0, None)
     assert (carried.settings, carried.seed, carried.arguments) == ({}, 3, ("x",))

@@ -38,11 +38,11 @@ NONE = -math.inf
         ([30.0, 50.0], None, None),
     ],
 )
-def test_stop_rule(psnr: list[float], goal: float | None, actual: str | None) -> None:
+def test_stop_rule(psnr, goal, actual):
     assert verdict([-x for x in psnr], NONE if goal is None else -goal) == actual
 
 
-def test_rounds_grow_and_end_in_full_length() -> None:
+def test_rounds_grow_and_end_in_full_length():
     plan, lights, after = OpenPlan(2000, 16, 40_000), [], 0
     for k in range(8):
         after = plan.lights_of(k, after)
@@ -56,7 +56,7 @@ def test_rounds_grow_and_end_in_full_length() -> None:
     assert plan.last_phase(math.inf, 2) == Length(steps=40_000)
 
 
-def test_a_gpu_leaves_more_time_for_capture() -> None:
+def test_a_gpu_leaves_more_time_for_capture():
     assert capture_share(300.0, [64], "cuda") > capture_share(300.0, [64], "cpu")
     plans = [TimedPlan(2000, 16, 600.0, overlaps=overlaps) for overlaps in (False, True)]
     apart, beside = ([p.capture_seconds(k, 300.0) for k in range(4)] for p in plans)
@@ -64,16 +64,14 @@ def test_a_gpu_leaves_more_time_for_capture() -> None:
     assert all(a > b for a, b in zip(apart[1:], beside[1:], strict=True))  # of the same time left
 
 
-def test_a_round_adds_a_shard_at_least() -> None:
+def test_a_round_adds_a_shard_at_least():
     assert OpenPlan(8, 16, 100).lights_of(0, 0) == 16
     assert OpenPlan(8, 16, 100).lights_of(1, 16) == 32
 
 
 @pytest.mark.parametrize(("minutes", "rounds"), [(2.0, 2), (30.0, 4)])
 @pytest.mark.parametrize("tiers", [1, 2])
-def test_stages_fill_the_time_and_leave_some_for_the_export(
-    minutes: float, rounds: int, tiers: int
-) -> None:
+def test_stages_fill_the_time_and_leave_some_for_the_export(minutes, rounds, tiers):
     plan = TimedPlan(1000, 16, 60.0 * minutes, tiers)
     assert plan.rounds == rounds
     left, captured = 60.0 * minutes, 0.0
@@ -91,7 +89,7 @@ def test_stages_fill_the_time_and_leave_some_for_the_export(
     assert captured == pytest.approx(CAPTURE * (60.0 * minutes - export), rel=0.01)
 
 
-def test_without_a_goal_the_time_has_one_round() -> None:
+def test_without_a_goal_the_time_has_one_round():
     plan = TimedPlan(1000, 16, 600.0, has_goal=False)
     assert plan.rounds == 1 and plan.phase(0, 300.0) is None
     captured = plan.capture_seconds(0, 600.0)
@@ -111,9 +109,7 @@ def test_without_a_goal_the_time_has_one_round() -> None:
         (200, [64, 256], 0.75),
     ],
 )
-def test_training_has_two_minutes_then_capture_gets_more(
-    minutes: float, widths: list[int], share: float
-) -> None:
+def test_training_has_two_minutes_then_capture_gets_more(minutes, widths, share):
     assert capture_share(60.0 * minutes, widths) == pytest.approx(share)
     plan = TimedPlan(1000, 16, 60.0 * minutes, has_goal=False, capture=share)
     captured = plan.capture_seconds(0, 60.0 * minutes)
@@ -122,7 +118,7 @@ def test_training_has_two_minutes_then_capture_gets_more(
 
 
 @pytest.mark.parametrize("steps", [100_000, None])
-def test_lights_that_are_asked_for_are_all_captured_at_once(steps: int | None) -> None:
+def test_lights_that_are_asked_for_are_all_captured_at_once(steps):
     plan = FixedPlan(3520, steps)
     assert plan.rounds == 1 and plan.lights_of(0, 0) == 3520
     assert plan.capture_seconds(0, math.inf) is None and plan.phase(0, math.inf) is None
@@ -139,9 +135,7 @@ def test_lights_that_are_asked_for_are_all_captured_at_once(steps: int | None) -
         (180.0, 60.0, 17.1),  # at least .3 of what is there
     ],
 )
-def test_more_minutes_leave_the_training_of_a_single_run_less_what_is_spared(
-    before: float, more: float, capture: float
-) -> None:
+def test_more_minutes_leave_the_training_of_a_single_run_less_what_is_spared(before, more, capture):
     whole = before + more
     plan = MorePlan(16, more, 0.5 * before, 64, 1, capture_share(whole, [64]), whole)
     assert plan.rounds == 2 and plan.phase(1, more) is None
@@ -153,6 +147,6 @@ def test_more_minutes_leave_the_training_of_a_single_run_less_what_is_spared(
     )
 
 
-def test_more_lights_are_planned_than_the_time_is_for() -> None:
+def test_more_lights_are_planned_than_the_time_is_for():
     plan = MorePlan(16, 600.0, 150.0, 320, 1, 0.5, 900.0)
     assert plan.lights_of(1, 320) == 320 + 1664  # 1.3 times those of 10 minutes, in shards

@@ -1,7 +1,6 @@
 """What rna-make says and leaves for the next step: time left, a picture in training, a scene."""
 
 import io
-from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
@@ -28,11 +27,11 @@ from tests.render.packages import write_lambert_package
         (110.0, None, 0.0, ""),
     ],
 )
-def test_time_left_is_that_of_the_limit_or_of_the_step(spent, limit, done, expected) -> None:
+def test_time_left_is_that_of_the_limit_or_of_the_step(spent, limit, done, expected):
     assert Clock(lambda: spent, limit, stage=100.0).left(done) == expected
 
 
-def test_a_resumed_bar_goes_on_where_it_was(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_resumed_bar_goes_on_where_it_was(monkeypatch):
     shown = io.StringIO()
     monkeypatch.setattr(progress_module, "_FORMAT", progress_module._FORMAT + "\n")
     monkeypatch.setattr("sys.stderr", shown)
@@ -43,7 +42,7 @@ def test_a_resumed_bar_goes_on_where_it_was(monkeypatch: pytest.MonkeyPatch) -> 
     assert "38%" in last and "12:34, 446 s left" not in last and "12:34, 7 min left" in last
 
 
-def test_the_picture_is_that_of_the_newest_training(tmp_path: Path) -> None:
+def test_the_picture_is_that_of_the_newest_training(tmp_path):
     picture = training_picture_of(tmp_path / "helmet.rna")
     assert picture == tmp_path / "helmet.training.png"
     copy_sheet(tmp_path / "run", picture)
@@ -55,7 +54,7 @@ def test_the_picture_is_that_of_the_newest_training(tmp_path: Path) -> None:
     copy_sheet(tmp_path / "run", tmp_path / "no" / "folder.png")  # ends no training
 
 
-def test_a_starter_scene_is_written_once(tmp_path: Path) -> None:
+def test_a_starter_scene_is_written_once(tmp_path):
     package = write_lambert_package(tmp_path / "my ball.rna", sphere(2))
     scene = write_starter(package)
     assert scene == tmp_path / "scene.yaml"
@@ -64,7 +63,7 @@ def test_a_starter_scene_is_written_once(tmp_path: Path) -> None:
     assert write_starter(package) is None and scene.read_text() == "mine"
 
 
-def test_the_cheapest_tier_that_meets_the_goal_is_named() -> None:
+def test_the_cheapest_tier_that_meets_the_goal_is_named():
     def tier(name: str, psnr: float, ns: float) -> SimpleNamespace:
         return SimpleNamespace(
             name=name,

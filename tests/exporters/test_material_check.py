@@ -1,10 +1,6 @@
 """Materials that Cycles cannot show as meant are named, each in one line."""
 
-from pathlib import Path
-
 import pytest
-
-from tests.exporters.conftest import OpenWorker
 
 pytestmark = pytest.mark.blender
 
@@ -62,12 +58,12 @@ join(closure, output.inputs["Surface"])
         ),
     ],
 )
-def test_what_cycles_cannot_show(body: str, named: str, open_worker: OpenWorker) -> None:
+def test_what_cycles_cannot_show(body, named, open_worker):
     (note,) = open_worker(MATERIAL + body).opened["notes"]
     assert note.startswith(f"material 'principled': {named}")
 
 
-def test_a_damaged_image(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_a_damaged_image(open_worker, tmp_path):
     path = tmp_path / "x.png"
     path.write_bytes(b"not a picture")
     (note,) = open_worker(f"{MATERIAL}PATH = {str(path)!r}\n{FILE}").opened["notes"]
@@ -83,12 +79,12 @@ def test_a_damaged_image(open_worker: OpenWorker, tmp_path: Path) -> None:
         IMAGE + "texture.image = bpy.data.images.new('painted', 4, 4)",
     ],
 )
-def test_what_is_not_shown_is_not_named(body: str, open_worker: OpenWorker) -> None:
+def test_what_is_not_shown_is_not_named(body, open_worker):
     notes = open_worker(MATERIAL + body).opened["notes"]
     assert [note for note in notes if note.startswith("material ")] == []
 
 
-def test_problems_inside_a_node_group(open_worker: OpenWorker) -> None:
+def test_problems_inside_a_node_group(open_worker):
     body = """
 inner = bpy.data.node_groups.new("inner", "ShaderNodeTree")
 inner.interface.new_socket("colour", in_out="OUTPUT", socket_type="NodeSocketColor")
@@ -102,7 +98,7 @@ join(group.outputs[0], shader.inputs["Base Color"])
     assert "an image texture has no image" in note
 
 
-def test_objects_without_a_material(open_worker: OpenWorker) -> None:
+def test_objects_without_a_material(open_worker):
     body = "for k in range(5):\n    add(*square(1, z=k)).name = f'part{k}'"
     (note,) = open_worker(body).opened["notes"]
     assert note.endswith("usual grey: 'part0', 'part1', 'part2' and 2 more")

@@ -17,23 +17,23 @@ from rna_export.metrics import (
 )
 
 
-def test_psnr_is_under_irradiance_pi() -> None:
+def test_psnr_is_under_irradiance_pi():
     reference = np.full((100, 3), 0.2, np.float32)
     assert psnr(reference + np.float32(0.1 / np.pi), reference) == pytest.approx(20.0, abs=1e-3)
 
 
-def test_psnr_clamps_to_display_white() -> None:
+def test_psnr_clamps_to_display_white():
     bright = np.full((10, 3), 5.0, np.float32)
     assert psnr(2.0 * bright, bright) > 100.0
     assert psnr(-bright, 0.0 * bright) > 100.0
 
 
-def test_relative_mse_does_not_clamp() -> None:
+def test_relative_mse_does_not_clamp():
     bright = np.full((10, 3), 5.0, np.float32)
     assert relative_mse(1.1 * bright, bright) == pytest.approx(0.01, rel=1e-4)
 
 
-def test_flip_knows_where_the_error_is() -> None:
+def test_flip_knows_where_the_error_is():
     reference = np.full((32, 32, 3), 0.1, np.float32)
     image = reference.copy()
     image[8:16, 8:16] = 0.25
@@ -44,13 +44,13 @@ def test_flip_knows_where_the_error_is() -> None:
     assert flip(reference, reference)[0] == pytest.approx(0.0, abs=1e-6)
 
 
-def test_png_is_srgb_under_irradiance_pi() -> None:
+def test_png_is_srgb_under_irradiance_pi():
     image = np.array([[[0.0, 0.5 / np.pi, 10.0]]], np.float32)
     assert to_png(image).tolist() == [[[0, 188, 255]]]  # linear 0.5 is sRGB 188
     assert display(image).max() == 1.0
 
 
-def test_relative_error_p99_is_of_the_worst_hundredth() -> None:
+def test_relative_error_p99_is_of_the_worst_hundredth():
     reference = np.full((1000, 3), 0.5, np.float32)
     image = reference.copy()
     image[:15] += 0.55  # of 0.5 and a tenth of the mean, 0.05: once the reference
@@ -70,14 +70,14 @@ def grey(level: float, rows: int = 100_000) -> np.ndarray:
     return np.full((rows, 3), level / np.pi)
 
 
-def test_psnr_without_noise_finds_a_known_error() -> None:
+def test_psnr_without_noise_finds_a_known_error():
     true = grey(0.5)
     actual = psnr_without_noise(true + 0.01 / np.pi, *noisy(true, 0.03, seed=1))
     assert actual.high is not None and actual.low <= 40.0 <= actual.high
     assert actual.high - actual.low < 1.0
 
 
-def test_psnr_without_noise_interval_holds_the_truth_19_times_in_20() -> None:
+def test_psnr_without_noise_interval_holds_the_truth_19_times_in_20():
     true = grey(0.3, 2_000)
     actual = [psnr_without_noise(true + 0.03 / np.pi, *noisy(true, 0.1, s)) for s in range(300)]
     truth = -20.0 * np.log10(0.03)
@@ -87,9 +87,7 @@ def test_psnr_without_noise_interval_holds_the_truth_19_times_in_20() -> None:
 
 @pytest.mark.parametrize("noise", [0.02, 0.31, 1.0])
 @pytest.mark.parametrize("level", [0.2, 0.9, 1.0, 1.2])
-def test_a_perfect_model_is_at_least_as_good_as_noise_lets_one_see(
-    noise: float, level: float
-) -> None:
+def test_a_perfect_model_is_at_least_as_good_as_noise_lets_one_see(noise, level):
     true = grey(level)
     halves = noisy(true, noise, seed=4)
     actual = psnr_without_noise(true, *halves)
@@ -105,7 +103,7 @@ def test_a_perfect_model_is_at_least_as_good_as_noise_lets_one_see(
 
 @pytest.mark.parametrize("noise", [0.0, 0.05, 0.4])
 @pytest.mark.parametrize("rows", [3, 2_000])
-def test_taking_noise_out_never_lowers_the_psnr(rows: int, noise: float) -> None:
+def test_taking_noise_out_never_lowers_the_psnr(rows, noise):
     rng = np.random.default_rng(5)
     for gain in (0.0, 0.5, 1.0, 1.02, 3.0):
         true = rng.gamma(0.7, 0.6, (rows, 3)) / np.pi  # some of it is white as displayed
@@ -117,12 +115,12 @@ def test_taking_noise_out_never_lowers_the_psnr(rows: int, noise: float) -> None
             assert actual.db >= with_noise - 1e-9 and actual.low >= with_noise - 1e-9
 
 
-def test_a_dark_model_of_a_white_asset_has_its_error_without_noise_too() -> None:
+def test_a_dark_model_of_a_white_asset_has_its_error_without_noise_too():
     actual = psnr_without_noise(grey(0.5, 500), *noisy(grey(3.0, 500), 0.1, seed=1))
     assert actual.high is not None and actual.db == pytest.approx(psnr(grey(0.5), grey(3.0)))
 
 
-def test_skewed_noise_across_white_is_no_error_of_a_perfect_model() -> None:
+def test_skewed_noise_across_white_is_no_error_of_a_perfect_model():
     rng = np.random.default_rng(7)
     true = rng.uniform(0.0, 2.0, (200_000, 3)) / np.pi
     halves = [true * rng.gamma(10.0, 0.1, true.shape) for _ in range(2)]
@@ -130,7 +128,7 @@ def test_skewed_noise_across_white_is_no_error_of_a_perfect_model() -> None:
     assert means.high is None and means.db > 30.0
 
 
-def test_a_mean_below_zero_is_a_lower_bound_and_not_120_db() -> None:
+def test_a_mean_below_zero_is_a_lower_bound_and_not_120_db():
     true = grey(0.5, 50)
     half = true + 0.1 / np.pi
     other = true - 0.1 / np.pi  # the products are all negative
@@ -140,7 +138,7 @@ def test_a_mean_below_zero_is_a_lower_bound_and_not_120_db() -> None:
     assert all(f.db < 40.0 for f in actual)  # 150 products of two noises of 0.1 tell no more
 
 
-def test_mean_of_images_narrows_the_interval_and_keeps_a_lower_bound() -> None:
+def test_mean_of_images_narrows_the_interval_and_keeps_a_lower_bound():
     one = NoiselessPsnr(30.0, 29.0, 31.0)
     four = NoiselessPsnr.mean([one] * 4)
     assert four == NoiselessPsnr(30.0, pytest.approx(29.5), pytest.approx(30.5))
@@ -150,7 +148,7 @@ def test_mean_of_images_narrows_the_interval_and_keeps_a_lower_bound() -> None:
     assert str(one) == "30.00 dB (29.00 to 31.00)"
 
 
-def test_dark_references_are_scored_at_an_exposure_that_shows_them() -> None:
+def test_dark_references_are_scored_at_an_exposure_that_shows_them():
     rng = np.random.default_rng(3)
     bright = rng.uniform(0.05, 0.3, (5_000, 3))
     guess = np.full_like(bright, bright.mean())
@@ -164,7 +162,7 @@ def test_dark_references_are_scored_at_an_exposure_that_shows_them() -> None:
         assert psnr(factor * guess, dark) > psnr(guess, bright) + 19.0
 
 
-def test_emission_is_scored_on_its_own_scale() -> None:
+def test_emission_is_scored_on_its_own_scale():
     rng = np.random.default_rng(3)
     for scale in (1e-4, 1.0, 500.0):
         emitted = scale * rng.uniform(0.0, 1.0, (5_000, 3))
@@ -185,7 +183,5 @@ def test_emission_is_scored_on_its_own_scale() -> None:
         ([0.001 * grey(0.5, 50), 0.001 * grey(0.6, 50)], None),
     ],
 )
-def test_references_without_a_picture_are_named(
-    references: list[np.ndarray], expected: str | None
-) -> None:
+def test_references_without_a_picture_are_named(references, expected):
     assert plain(references) == expected

@@ -22,7 +22,7 @@ def random(shape: tuple[int, ...], seed: int = 0) -> torch.Tensor:
 
 
 @pytest.mark.parametrize("shape", SHAPES)
-def test_singular_values_become_one(shape: tuple[int, int]) -> None:
+def test_singular_values_become_one(shape):
     matrix = random((1, *shape))
     u, s, vh = torch.linalg.svd(orthogonalised(matrix)[0], full_matrices=False)
     assert 0.6 < s[s > 0.3].min() and s.max() < 1.3
@@ -33,7 +33,7 @@ def test_singular_values_become_one(shape: tuple[int, int]) -> None:
     assert torch.allclose(along.sort().values, s.sort().values, atol=1e-3)
 
 
-def test_columns_of_zeros_change_nothing() -> None:
+def test_columns_of_zeros_change_nothing():
     matrix = random((1, 32, 18))
     padded = torch.nn.functional.pad(matrix, (0, 14))
     actual = orthogonalised(padded)
@@ -41,7 +41,7 @@ def test_columns_of_zeros_change_nothing() -> None:
     assert not actual[:, :, 18:].any()
 
 
-def test_steps_are_those_of_torch() -> None:
+def test_steps_are_those_of_torch():
     """PyTorch's, which iterates in bfloat16 over one matrix at a time."""
     start = [random(shape, k) for k, shape in enumerate(SHAPES)]
     ours = [m.clone().requires_grad_() for m in start]
@@ -57,7 +57,7 @@ def test_steps_are_those_of_torch() -> None:
         assert (one - twin).norm() < 0.05 * (one - first).norm()
 
 
-def test_it_goes_on_from_its_state() -> None:
+def test_it_goes_on_from_its_state():
     matrices = [torch.ones(8, 8, requires_grad=True) for _ in range(2)]
     optimizers = [Muon([m], 0.1) for m in matrices]
     for k in range(6):
@@ -74,7 +74,7 @@ def test_it_goes_on_from_its_state() -> None:
 
 @pytest.mark.parametrize("preset", ["tiny", "small", "hq"])
 @pytest.mark.parametrize("kind", PRESETS)
-def test_it_takes_all_matrices_but_the_last(kind: str, preset: str) -> None:
+def test_it_takes_all_matrices_but_the_last(kind, preset):
     chosen = PRESETS[kind][preset].with_model(resolution=4, emission_inputs=("features", "wo"))
     model = NeuralAsset(chosen.model, BOUNDS)
     names = {id(p): name for name, p in model.named_parameters()}
@@ -89,14 +89,14 @@ def test_it_takes_all_matrices_but_the_last(kind: str, preset: str) -> None:
 
 
 @pytest.mark.parametrize("preset", ["paper-small", "paper-hq"])
-def test_the_papers_models_have_adam(preset: str) -> None:
+def test_the_papers_models_have_adam(preset):
     chosen = PRESETS["surface"][preset].with_model(resolution=4)
     model = NeuralAsset(chosen.model, BOUNDS)
     assert not muon_matrices(model, chosen.training)
     assert muon_matrices(model, chosen.with_training(optimizer="muon").training)
 
 
-def test_rates_may_be_tensors() -> None:
+def test_rates_may_be_tensors():
     """As in a CUDA graph, which reads what they hold when it is launched."""
     matrices = [torch.zeros(8, 8, requires_grad=True) for _ in range(2)]
     rates = 0.1, torch.tensor(0.1)
@@ -109,7 +109,7 @@ def test_rates_may_be_tensors() -> None:
     assert torch.equal(*matrices) and float(rates[1]) == pytest.approx(0.05)
 
 
-def test_momentum_of_units_that_are_dead_ends_at_zero() -> None:
+def test_momentum_of_units_that_are_dead_ends_at_zero():
     """Subnormal numbers made steps three times as slow after 1,500 of them."""
     matrix = torch.zeros(16, 16, requires_grad=True)
     optimizer = Muon([matrix], 0.01)
@@ -122,13 +122,13 @@ def test_momentum_of_units_that_are_dead_ends_at_zero() -> None:
     assert not momentum[3].any() and momentum[2].all()
 
 
-def test_what_is_negligible_in_a_matrix_is_zero() -> None:
+def test_what_is_negligible_in_a_matrix_is_zero():
     matrix = random((1, 16, 16))
     matrix[0, 3] *= 1e-12
     assert not orthogonalised(matrix)[0, 3].any()
 
 
-def test_rates_stay_the_same_tensors_when_a_run_goes_on() -> None:
+def test_rates_stay_the_same_tensors_when_a_run_goes_on():
     """A checkpoint is read into the host's memory; a GPU's optimizer wants its rate there."""
     matrices = [torch.zeros(8, 8, requires_grad=True) for _ in range(2)]
     rate = torch.tensor(0.1)

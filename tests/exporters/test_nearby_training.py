@@ -1,14 +1,12 @@
 """Nearby light is traced from captured rows, kept, learnt linearly, and exported."""
 
 import itertools
-from pathlib import Path
 
 import numpy as np
 import pytest
 import torch
 
 from rna_export.capture.dataset import nearby_rows
-from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.nearby_rows import (
     TRAINING_RAYS,
     nearby_folder,
@@ -91,12 +89,12 @@ def error(rows: dict[str, np.ndarray], exact: np.ndarray, lengths: tuple[float, 
     return float(np.square(ours - rows["radiance"]).mean())
 
 
-def test_light_beside_shadows_is_learnt() -> None:
+def test_light_beside_shadows_is_learnt():
     rows, exact = glowing_rows(8000)
     assert error(rows, exact, LENGTHS) < 0.2 * error(rows, exact, ())
 
 
-def test_outputs_below_0_are_those_of_packages_and_return() -> None:
+def test_outputs_below_0_are_those_of_packages_and_return():
     y = torch.tensor([-2.0, -2.0, 2.0, 2.0], requires_grad=True)
     cut = neural_asset._cut_off(y)
     assert cut.tolist() == [0.0, 0.0, 2.0, 2.0]
@@ -106,7 +104,7 @@ def test_outputs_below_0_are_those_of_packages_and_return() -> None:
 
 @pytest.mark.parametrize("name", PACKAGEABLE)
 @torch.no_grad()
-def test_decoders_give_what_the_model_does(name: str) -> None:
+def test_decoders_give_what_the_model_does(name):
     kind, fields = PACKAGEABLE[name]
     torch.manual_seed(0)
     model = NeuralAsset(tiny(kind=kind).with_model(nearby=LENGTHS, **fields).model, BOUNDS)
@@ -128,7 +126,7 @@ def test_decoders_give_what_the_model_does(name: str) -> None:
     torch.testing.assert_close(torch.cat(outputs, dim=1), expected, rtol=1e-4, atol=1e-5)
 
 
-def test_rows_are_traced_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_rows_are_traced_once(tmp_path, monkeypatch):
     part = make_dataset(tmp_path / "ball.rays", shards=1, views=1)
     samples, lengths = part.training_samples(), usual_lengths(part)
     assert lengths == pytest.approx(
@@ -150,7 +148,7 @@ def test_rows_are_traced_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
 
 
 @pytest.fixture(scope="module")
-def exported(tmp_path_factory: pytest.TempPathFactory) -> tuple[DatasetPart, Path, Path]:
+def exported(tmp_path_factory):
     folder = tmp_path_factory.mktemp("nearby")
     part = make_dataset(folder / "ball.rays")
     preset = tiny("small", steps=60).with_model(nearby=usual_lengths(part))
@@ -163,7 +161,7 @@ def exported(tmp_path_factory: pytest.TempPathFactory) -> tuple[DatasetPart, Pat
     return part, best, package
 
 
-def test_the_runtime_answers_what_pytorch_answers(exported: tuple[DatasetPart, Path, Path]) -> None:
+def test_the_runtime_answers_what_pytorch_answers(exported):
     part, best, package = exported
     assert validate(package) == []
     asset, trained = load(package), load_checkpoint(best)
@@ -174,8 +172,8 @@ def test_the_runtime_answers_what_pytorch_answers(exported: tuple[DatasetPart, P
 
 
 def test_means_stand_in_for_what_a_host_does_not_trace(
-    exported: tuple[DatasetPart, Path, Path],
-) -> None:
+    exported,
+):
     part, _, package = exported
     samples = part.training_samples()
     mean = with_nearby_light(samples, part, usual_lengths(part))["nearby"]
@@ -194,14 +192,12 @@ def test_means_stand_in_for_what_a_host_does_not_trace(
     )
 
 
-def test_presets_without_it_are_told_as_before() -> None:
+def test_presets_without_it_are_told_as_before():
     assert "nearby" not in PRESETS["surface"]["small"].model_dump()["model"]
 
 
 @pytest.mark.parametrize(("with_it", "counted"), [(0.097, True), (0.099, False), (0.12, False)])
-def test_an_asset_that_gains_too_little_does_not_get_it(
-    with_it: float, counted: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_asset_that_gains_too_little_does_not_get_it(with_it, counted, tmp_path, monkeypatch):
     part = make_dataset(tmp_path / "ball.rays", shards=1, views=1)
     run, said = Run(part, tiny(steps=20), "small", tmp_path / "run"), []
     trials: list[Run] = []
@@ -227,7 +223,7 @@ def test_an_asset_that_gains_too_little_does_not_get_it(
         nearby_choice.with_nearby(run, "auto", part.training_samples())
 
 
-def test_an_opaque_asset_is_told_by_its_materials(tmp_path: Path) -> None:
+def test_an_opaque_asset_is_told_by_its_materials(tmp_path):
     part = make_dataset(tmp_path / "ball.rays", shards=1, views=1)
     opaque = MaterialVerdict(name="steel", is_="metal", learnt="well", scatters=False)
     part.dataset.manifest = part.manifest.model_copy(update={"materials": (opaque,)})
@@ -236,15 +232,13 @@ def test_an_opaque_asset_is_told_by_its_materials(tmp_path: Path) -> None:
     assert said == ["nearby light: not counted, light enters no material"]
 
 
-def test_presets_of_the_paper_do_not_get_it(tmp_path: Path) -> None:
+def test_presets_of_the_paper_do_not_get_it(tmp_path):
     part = make_dataset(tmp_path / "ball.rays", shards=1, views=1)
     run = Run(part, PRESETS["surface"]["paper-small"], "paper-small", tmp_path / "run")
     assert nearby_choice.with_nearby(run, "auto", part.training_samples()) == run
 
 
-def test_short_trainings_leave_nothing_but_their_verdict(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_short_trainings_leave_nothing_but_their_verdict(tmp_path, monkeypatch):
     part = make_dataset(tmp_path / "ball.rays", shards=1, views=1)
     monkeypatch.setattr(Curves, "draw", lambda _: None)
     run = Run(part, tiny(steps=20), "small", tmp_path / "run")
@@ -252,7 +246,7 @@ def test_short_trainings_leave_nothing_but_their_verdict(
     assert not run.out.exists() and (nearby_folder(part) / "verdict.json").is_file()
 
 
-def test_several_poses_do_not_get_it(tmp_path: Path) -> None:
+def test_several_poses_do_not_get_it(tmp_path):
     part = make_dataset(tmp_path / "ball.rays", shards=1, views=1)
     manifest = part.manifest.model_copy(update={"poses": (1, 2)})
     part.dataset.manifest = manifest

@@ -1,7 +1,6 @@
 """The loss is chosen by how noisy the capture is."""
 
 import dataclasses
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -37,7 +36,7 @@ class NoisyPart(DatasetPart):
 
 
 @pytest.fixture
-def dataset(tmp_path: Path) -> NoisyPart:
+def dataset(tmp_path):
     part = make_dataset(tmp_path / "ball.rays")
     return NoisyPart(part.dataset, part.captured)
 
@@ -51,7 +50,7 @@ def learnt(x: np.ndarray, deviation: float) -> np.ndarray:
 
 
 @pytest.mark.parametrize("deviation", [0.0, 0.1, 0.3])
-def test_darkening_is_what_the_log_loss_loses(dataset: NoisyPart, deviation: float) -> None:
+def test_darkening_is_what_the_log_loss_loses(dataset, deviation):
     dataset.deviation = deviation
     x = np.concatenate([v.samples["radiance"] for v in dataset.validation_views()]).astype(float)
     lost = 1.0 - learnt(x, deviation).sum() / x.sum()
@@ -59,7 +58,7 @@ def test_darkening_is_what_the_log_loss_loses(dataset: NoisyPart, deviation: flo
 
 
 @pytest.mark.parametrize(("deviation", "loss"), [(0.05, "log"), (0.9, "unbiased")])
-def test_presets_of_surfaces_choose(dataset: NoisyPart, deviation: float, loss: str) -> None:
+def test_presets_of_surfaces_choose(dataset, deviation, loss):
     dataset.deviation = deviation
     assert PRESETS["surface"]["small"].training.loss == "auto"
     assert with_fitting_loss(tiny(), dataset, UNIT).training.loss == loss
@@ -72,9 +71,7 @@ def test_presets_of_surfaces_choose(dataset: NoisyPart, deviation: float, loss: 
     ("samples", "given", "noisy"),
     [(16, (), True), (64, (), False), (16, ("validation_samples",), False)],
 )
-def test_images_of_few_paths_are_noisy_unless_they_were_asked_for(
-    samples: int, given: tuple[str, ...], noisy: bool
-) -> None:
+def test_images_of_few_paths_are_noisy_unless_they_were_asked_for(samples, given, noisy):
     settings = CaptureSettings(validation_samples=samples)
     dataset = SimpleNamespace(manifest=SimpleNamespace(settings=settings))
     rays: Any = SimpleNamespace(dataset=dataset)
@@ -82,7 +79,7 @@ def test_images_of_few_paths_are_noisy_unless_they_were_asked_for(
     assert RoundImages(rays, state, given).are_noisy == noisy
 
 
-def test_images_that_took_longer_than_planned_stay_small() -> None:
+def test_images_that_took_longer_than_planned_stay_small():
     dataset = SimpleNamespace(manifest=SimpleNamespace(settings=CaptureSettings()))
     rays: Any = SimpleNamespace(dataset=dataset)
     state: Any = SimpleNamespace(images=(64, 176, 128), image_seconds=40.0, image_paths=10_000)
@@ -90,7 +87,7 @@ def test_images_that_took_longer_than_planned_stay_small() -> None:
     assert state.images is None
 
 
-def test_noise_of_few_paths_does_not_count_against_a_goal_in_rounds(dataset: NoisyPart) -> None:
+def test_noise_of_few_paths_does_not_count_against_a_goal_in_rounds(dataset):
     """`rna-make --min-psnr` judges its small images by what they would converge to."""
     true = [view.samples["radiance"] for view in dataset.validation_views()]
     shaded = [0.97 * rows for rows in true]

@@ -1,7 +1,5 @@
 """Normal maps of materials: read from their nodes, and on the samples as Cycles shades them."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -12,7 +10,6 @@ from rna_export.capture.capture_tasks import TrainingShard
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.geometry.exported_parts import exported_parts
 from rna_export.capture.rays.asset_scene import AssetScene
-from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import unit
 from tests.exporters.synthetic import manifest_of
 
@@ -101,7 +98,7 @@ def normal_maps(worker: BlenderWorker) -> tuple[dict[str, np.ndarray], list[str]
     return textures.normals, textures.notes
 
 
-def test_the_map_is_that_of_the_texture(open_worker: OpenWorker) -> None:
+def test_the_map_is_that_of_the_texture(open_worker):
     maps, notes = normal_maps(open_worker(SQUARES))
     assert list(maps) == ["cloth"]
     stored = "stored as 8 x 8: finer relief blurs (--normal-texels)"
@@ -112,9 +109,7 @@ def test_the_map_is_that_of_the_texture(open_worker: OpenWorker) -> None:
 
 
 @pytest.mark.parametrize("scene", [SQUARES, SECOND_UV_MAP, IN_A_GROUP], ids=["", "uv", "group"])
-def test_samples_have_the_normal_that_cycles_shades_with(
-    open_worker: OpenWorker, tmp_path: Path, scene: str
-) -> None:
+def test_samples_have_the_normal_that_cycles_shades_with(open_worker, tmp_path, scene):
     """A diffuse surface under a sun: its radiance tells n.wi of the shading normal."""
     worker = open_worker(scene)
     settings = CaptureSettings(lights=8, lights_per_shard=8, rays=512, samples=16)
@@ -138,7 +133,7 @@ def test_samples_have_the_normal_that_cycles_shades_with(
     assert np.ptp(at["normal"] @ np.float32([0, 1, 0])) > 0.1  # the squares lean differently
 
 
-def test_equal_maps_are_stored_once(open_worker: OpenWorker) -> None:
+def test_equal_maps_are_stored_once(open_worker):
     second = (
         SQUARES
         + """
@@ -206,9 +201,7 @@ material.displacement_method = "BUMP"
         DISPLACED,
     ],
 )
-def test_heights_become_the_normals_that_cycles_shades_with(
-    open_worker: OpenWorker, relief: str
-) -> None:
+def test_heights_become_the_normals_that_cycles_shades_with(open_worker, relief):
     worker = open_worker(BUMP + relief)
     exported = exported_parts(worker, CaptureSettings())
     assert exported.notes == [] and exported.mapped == ("leather",)
@@ -234,7 +227,7 @@ def test_heights_become_the_normals_that_cycles_shades_with(
     assert np.percentile(off, 95) < 0.5 * np.median(bent)
 
 
-def test_relief_that_no_map_can_have_is_told(open_worker: OpenWorker) -> None:
+def test_relief_that_no_map_can_have_is_told(open_worker):
     bump = """
 bump = tree.nodes.new("ShaderNodeBump")
 tree.links.new(picture.outputs[0], bump.inputs["Height"])
@@ -249,6 +242,6 @@ tree.links.new(bump.outputs[0], shader.inputs["Normal"])
         assert len(textures.notes) == 1 and why in textures.notes[0]
 
 
-def test_a_flat_map_is_none(open_worker: OpenWorker) -> None:
+def test_a_flat_map_is_none(open_worker):
     maps, notes = normal_maps(open_worker(SQUARES.replace(str(LEAN), "0.0, 0.0")))
     assert maps == {} and notes == []

@@ -5,7 +5,6 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import unit
 
 pytestmark = pytest.mark.blender
@@ -207,8 +206,8 @@ def layers(positions: np.ndarray, x: np.ndarray, y: np.ndarray) -> Iterator[np.n
 
 
 def test_cycles_and_the_export_have_the_same_layers_of_the_same_materials(
-    open_worker: OpenWorker,
-) -> None:
+    open_worker,
+):
     worker = open_worker(TOOLS + KINDS)
     corners = worker.export_corners()
     a_side, places = 24, SHOWN + 7
@@ -233,7 +232,7 @@ def test_cycles_and_the_export_have_the_same_layers_of_the_same_materials(
     assert f"left out, since renders do not show them: {hidden}" in said
 
 
-def test_what_has_no_surface_is_named_and_strands_come_once(open_worker: OpenWorker) -> None:
+def test_what_has_no_surface_is_named_and_strands_come_once(open_worker):
     worker = open_worker(TOOLS + NO_SURFACE)
     assert worker.export_curves().offsets.size - 1 == 3 + 5
     assert len(worker.export_corners()["positions"]) == 2 * 36

@@ -9,7 +9,6 @@ from rna_export.capture.rays.traced_rays import TracedRays
 from rna_export.capture.rays.view_rays import sample_view_rays
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Mesh
-from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import assert_same_holes, scene_of, unit
 
 pytestmark = pytest.mark.blender
@@ -39,7 +38,7 @@ add([(0, 0, 0), (1, 0, 0), (2, 0, 0)], [(0, 1, 2)])
 """
 
 
-def test_flat_empty_and_broken_objects(open_worker: OpenWorker) -> None:
+def test_flat_empty_and_broken_objects(open_worker):
     worker = open_worker(ODD)
     assert [note for note in worker.opened["notes"] if "'without points' is invalid" in note]
     exported = exported_parts(worker, CaptureSettings())
@@ -50,7 +49,7 @@ def test_flat_empty_and_broken_objects(open_worker: OpenWorker) -> None:
     assert_same_holes(worker, exported)
 
 
-def test_lines_and_triangles_without_area_are_refused(open_worker: OpenWorker) -> None:
+def test_lines_and_triangles_without_area_are_refused(open_worker):
     worker = open_worker(LINES)
     with pytest.raises(CaptureError, match=r"scene0\.py: no triangles \(only lines"):
         exported_parts(worker, CaptureSettings())
@@ -71,7 +70,7 @@ item.modifiers.new("guides", "NODES").node_group = tree
 """
 
 
-def test_curves_of_geometry_nodes_without_a_surface_are_named(open_worker: OpenWorker) -> None:
+def test_curves_of_geometry_nodes_without_a_surface_are_named(open_worker):
     worker = open_worker(GUIDES)
     assert [note for note in worker.opened["notes"] if "without a surface" in note]
     mesh = exported_parts(worker, CaptureSettings()).geometries["asset"]
@@ -79,7 +78,7 @@ def test_curves_of_geometry_nodes_without_a_surface_are_named(open_worker: OpenW
 
 
 @pytest.mark.parametrize("radius", [7e-5, 7e6])
-def test_holes_at_any_scale(open_worker: OpenWorker, radius: float) -> None:
+def test_holes_at_any_scale(open_worker, radius):
     """Rays begin close before a hit and end close behind it, of whatever size the asset is."""
     script = f"""
 leaf = principled(Alpha=0.5)

@@ -1,7 +1,6 @@
 """What a step of training does in kernels of its own, against PyTorch's."""
 
 from itertools import pairwise
-from typing import Literal
 
 import pytest
 import torch
@@ -15,7 +14,7 @@ from rna_export.training.presets import PRESETS
 
 
 @pytest.mark.parametrize("size", [7, 5000])
-def test_adam_is_that_of_torch(size: int) -> None:
+def test_adam_is_that_of_torch(size):
     generator = torch.Generator().manual_seed(0)
     start = torch.randn(size, generator=generator)
     ours, twin = start.clone().requires_grad_(), start.clone().requires_grad_()
@@ -32,7 +31,7 @@ def test_adam_is_that_of_torch(size: int) -> None:
     assert torch.allclose(ours, twin, rtol=1e-4, atol=1e-6)
 
 
-def test_adam_goes_on_from_its_state() -> None:
+def test_adam_goes_on_from_its_state():
     planes = [torch.ones(10, requires_grad=True) for _ in range(2)]
     whole = PlaneAdam(planes[0], lr=0.1)
     for k in range(6):
@@ -50,7 +49,7 @@ def test_adam_goes_on_from_its_state() -> None:
     assert torch.equal(planes[0], planes[1])
 
 
-def test_layers_are_those_of_autograd() -> None:
+def test_layers_are_those_of_autograd():
     torch.manual_seed(0)
     layers = nn.Sequential(nn.Linear(5, 9), nn.ReLU(), nn.Linear(9, 8), nn.ReLU(), nn.Linear(8, 3))
     x = torch.randn(40, 5, requires_grad=True)
@@ -64,7 +63,7 @@ def test_layers_are_those_of_autograd() -> None:
         assert torch.allclose(ours, expected, atol=1e-5)
 
 
-def test_bfloat16_layers_are_near_those_in_float32() -> None:
+def test_bfloat16_layers_are_near_those_in_float32():
     torch.manual_seed(0)
     sizes = [5, 128, 128, 128, 3]
     linear = [nn.Linear(a, b) for a, b in pairwise(sizes)]
@@ -92,12 +91,12 @@ def test_bfloat16_layers_are_near_those_in_float32() -> None:
     ],
 )
 def test_bfloat16_is_for_wide_decoders_where_the_processor_has_it(
-    monkeypatch: pytest.MonkeyPatch,
-    width: int,
-    products: Literal["auto", "float32"],
-    has_instructions: bool,
-    expected: bool,
-) -> None:
+    monkeypatch,
+    width,
+    products,
+    has_instructions,
+    expected,
+):
     monkeypatch.setattr(fitting, "multiplies_bfloat16", lambda: has_instructions)
     monkeypatch.setattr(torch.cuda, "is_bf16_supported", lambda: has_instructions)
     preset = PRESETS["surface"]["small"].with_model(width=width).with_training(products=products)
@@ -105,7 +104,7 @@ def test_bfloat16_is_for_wide_decoders_where_the_processor_has_it(
         assert fitting.multiplies_in_bfloat16(preset, device) == expected
 
 
-def test_only_steps_are_in_bfloat16() -> None:
+def test_only_steps_are_in_bfloat16():
     config = PRESETS["surface"]["small"].model.model_copy(update={"width": 128, "resolution": 8})
     torch.manual_seed(0)
     model = NeuralAsset(config, torch.tensor([[-1.0] * 3, [1.0] * 3]))

@@ -46,7 +46,7 @@ def outcome(dataset: Dataset, factors: tuple[float, float]) -> Outcome:
     return Outcome.of([s.astype(np.float32) for s in shaded], views, dataset)
 
 
-def test_points_have_the_material_of_their_triangle(tmp_path: Path) -> None:
+def test_points_have_the_material_of_their_triangle(tmp_path):
     dataset = two_materials(tmp_path / "ball.rays")
     materials = TriangleMaterials(dataset)
     assert materials.names == ["cup", "cap", "asset"]
@@ -56,9 +56,7 @@ def test_points_have_the_material_of_their_triangle(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("numbers", [np.zeros(3, np.int16), None])
-def test_materials_that_do_not_fit_the_triangles_are_refused(
-    numbers: np.ndarray | None, tmp_path: Path
-) -> None:
+def test_materials_that_do_not_fit_the_triangles_are_refused(numbers, tmp_path):
     dataset = two_materials(tmp_path / "ball.rays")
     wrong = dataset.materials["asset"] + np.int16(1) if numbers is None else numbers
     write_arrays(tmp_path / "ball.rays" / "materials.safetensors", {"asset": wrong})
@@ -66,7 +64,7 @@ def test_materials_that_do_not_fit_the_triangles_are_refused(
         TriangleMaterials(dataset)
 
 
-def test_a_material_that_is_lost_is_told_beside_its_promise(tmp_path: Path) -> None:
+def test_a_material_that_is_lost_is_told_beside_its_promise(tmp_path):
     dataset = two_materials(tmp_path / "ball.rays")
     made = outcome(dataset, (0.0, 1.0))
     cap, cup = made.materials
@@ -98,15 +96,13 @@ def test_a_material_that_is_lost_is_told_beside_its_promise(tmp_path: Path) -> N
         (None, 0.2, "pixels): FLIP 0.200 (poor)"),
     ],
 )
-def test_promises_are_compared_with_errors(
-    promise: MaterialVerdict | None, flip: float | None, ends: str
-) -> None:
+def test_promises_are_compared_with_errors(promise, flip, ends):
     told = MaterialOutcome(name="m", share=0.3, flip=flip, shown=4, lost=0, promise=promise)
     assert told.told().startswith("  'm' (30% of the pixels)") and told.told().endswith(ends)
     assert told.told(is_sketch=True).endswith(ends.removesuffix(", worse than promised"))
 
 
-def test_a_perfect_model_keeps_its_promises(tmp_path: Path) -> None:
+def test_a_perfect_model_keeps_its_promises(tmp_path):
     made = outcome(two_materials(tmp_path / "ball.rays"), (1.0, 1.0))
     assert [each.flip for each in made.materials] == [0.0, 0.0]
     light = made.brightest, made.outline_light
@@ -116,16 +112,14 @@ def test_a_perfect_model_keeps_its_promises(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("factor", [0.8, 1.3])
-def test_light_of_highlights_and_outlines_is_over_that_of_cycles(
-    factor: float, tmp_path: Path
-) -> None:
+def test_light_of_highlights_and_outlines_is_over_that_of_cycles(factor, tmp_path):
     made = outcome(two_materials(tmp_path / "ball.rays"), (factor, factor))
     assert made.brightest == pytest.approx(factor, rel=1e-5)
     assert made.outline_light == pytest.approx(factor, rel=1e-5)
     assert made.worst is not None and made.worst.light == pytest.approx(factor, rel=1e-5)
 
 
-def test_a_dataset_without_materials_of_triangles_is_told_of_as_a_whole(tmp_path: Path) -> None:
+def test_a_dataset_without_materials_of_triangles_is_told_of_as_a_whole(tmp_path):
     dataset = make_dataset(tmp_path / "ball.rays").dataset
     made = outcome(dataset, (0.0, 1.0))
     assert made.materials == ()
@@ -134,7 +128,7 @@ def test_a_dataset_without_materials_of_triangles_is_told_of_as_a_whole(tmp_path
     assert "''" not in lines[-1]
 
 
-def test_sums_of_squares_are_those_of_loops() -> None:
+def test_sums_of_squares_are_those_of_loops():
     values = np.random.default_rng(0).random((7, 7))
     padded = np.pad(values, 1)
     expected = [[padded[r : r + 3, c : c + 3].sum() for c in range(7)] for r in range(7)]

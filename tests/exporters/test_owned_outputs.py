@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -34,9 +33,7 @@ USERS = ("notes.txt", "scratch/mine.exr", "rays/mine", "train/work.part", "s.obj
 
 
 @pytest.fixture
-def home(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, dataset: Dataset
-) -> Callable[[], dict[str, bytes]]:
+def home(tmp_path, monkeypatch, dataset):
     """A folder of the user, which is the working directory; returns its contents."""
     home = tmp_path / "home"
     for name in USERS:
@@ -52,7 +49,7 @@ def home(
 
 
 @pytest.fixture(scope="module")
-def dataset(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
+def dataset(tmp_path_factory):
     return make_dataset(tmp_path_factory.mktemp("data") / "ball.rays").dataset
 
 
@@ -73,12 +70,12 @@ def arguments(text: str, dataset: Dataset) -> list[str]:
 
 @pytest.mark.parametrize(("command", "text"), FOREIGN, ids=[text for _, text in FOREIGN])
 def test_a_folder_of_the_user_is_refused(
-    command: Callable[[list[str]], int],
-    text: str,
-    dataset: Dataset,
-    home: Callable[[], dict[str, bytes]],
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+    command,
+    text,
+    dataset,
+    home,
+    capsys,
+):
     before = home()
     assert command(arguments(text, dataset)) == 1
     error = capsys.readouterr().err
@@ -105,12 +102,12 @@ REPLACES = [
 
 @pytest.mark.parametrize(("command", "text"), REPLACES, ids=[text for _, text in REPLACES])
 def test_no_command_replaces_what_it_reads(
-    command: Callable[[list[str]], int],
-    text: str,
-    dataset: Dataset,
-    home: Callable[[], dict[str, bytes]],
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+    command,
+    text,
+    dataset,
+    home,
+    capsys,
+):
     Path("best.ckpt").touch()
     Path("p.png").write_bytes(b"\x89PNG\r\n\x1a\n")
     before, manifest = home(), (dataset.folder / "manifest.json").read_bytes()
@@ -131,14 +128,14 @@ def test_no_command_replaces_what_it_reads(
     ],
 )
 def test_one_command_writes_a_folder_at_a_time(
-    command: Callable[[list[str]], int],
-    name: str,
-    text: str,
-    folder: str,
-    dataset: Dataset,
-    home: Callable[[], dict[str, bytes]],
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+    command,
+    name,
+    text,
+    folder,
+    dataset,
+    home,
+    capsys,
+):
     with owned(Path(folder), name):
         before = home()
         assert command(arguments(text, dataset)) == 1
@@ -147,9 +144,7 @@ def test_one_command_writes_a_folder_at_a_time(
         assert home() == before
 
 
-def test_leftovers_are_deleted_by_name(
-    dataset: Dataset, home: Callable[[], dict[str, bytes]], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_leftovers_are_deleted_by_name(dataset, home, monkeypatch):
     """A dataset is resumed; files of the user stay."""
     Path("s.obj").write_bytes(b"the source")
     out = Path("s.rays")
@@ -173,9 +168,7 @@ def poison(path: Path) -> None:
     save_file(arrays, path)
 
 
-def test_rows_that_are_no_numbers_are_refused(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_rows_that_are_no_numbers_are_refused(tmp_path, capsys):
     dataset = make_dataset(tmp_path / "ball.rays").dataset
     path = dataset.train_path(0)
     poison(path)
@@ -187,9 +180,7 @@ def test_rows_that_are_no_numbers_are_refused(
     assert not (tmp_path / "run").exists()
 
 
-def test_a_model_that_diverges_is_an_error(
-    dataset: Dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_model_that_diverges_is_an_error(dataset, tmp_path, monkeypatch):
     nothing = np.full((9, 3), np.nan, np.float32)
     monkeypatch.setattr(report, "shade", lambda model, view: nothing[:1].repeat(len(view.pixel), 0))
     with pytest.raises(TrainingError, match="run: the model diverged, the PSNR of its validation"):
@@ -197,9 +188,7 @@ def test_a_model_that_diverges_is_an_error(
     assert not (tmp_path / "run").exists()
 
 
-def test_a_manifest_with_a_huge_number_of_lights_is_refused(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_manifest_with_a_huge_number_of_lights_is_refused(tmp_path, capsys):
     folder = make_dataset(tmp_path / "ball.rays").folder
     manifest = json.loads((folder / "manifest.json").read_text())
     manifest["settings"]["lights"] = 10**15

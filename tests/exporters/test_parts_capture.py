@@ -1,14 +1,11 @@
 """A ball with strands on it: rays, samples and images of both parts together."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.capture_run import CaptureWorkers, begin, finish
 from rna_export.capture.capture_settings import CaptureSettings
-from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.rays.asset_scene import AssetScene, part_counts
 from rna_export.capture.rays.view_rays import _Draw, outside_rays, sample_view_rays
 from rna_sdk.errors import CaptureError
@@ -20,12 +17,12 @@ WI = np.float32([0.36, 0.8, 0.48])
 
 
 @pytest.fixture(scope="module")
-def dataset(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
+def dataset(tmp_path_factory):
     both = {"surface": sphere(4), "hair": spikes(60)}
     return make(tmp_path_factory.mktemp("two") / "two.rays", both)
 
 
-def test_each_part_has_the_samples_of_its_own_hits(dataset: Dataset) -> None:
+def test_each_part_has_the_samples_of_its_own_hits(dataset):
     skin, hair = (part.training_samples() for part in dataset.parts)
     assert len(skin["wo"]) + len(hair["wo"]) == 4 * 300
     assert list(skin) == ["position", "normal", "wo", "wi", "radiance", "visible"]
@@ -36,7 +33,7 @@ def test_each_part_has_the_samples_of_its_own_hits(dataset: Dataset) -> None:
         assert np.allclose(at["radiance"], np.abs(at["wo"]) + 0.1, atol=1e-6)
 
 
-def test_a_part_is_shadowed_by_the_others(dataset: Dataset) -> None:
+def test_a_part_is_shadowed_by_the_others(dataset):
     """Strands that stand behind the ball see no light; alone, straight ones block next to none."""
     hair = dataset.part("hair").training_samples()
     away = np.sum(hair["position"] * hair["wi"], axis=1)
@@ -46,7 +43,7 @@ def test_a_part_is_shadowed_by_the_others(dataset: Dataset) -> None:
     assert hair["visible"][away > 0.1].mean() > 0.9
 
 
-def test_a_whole_view_is_its_parts(dataset: Dataset) -> None:
+def test_a_whole_view_is_its_parts(dataset):
     for whole in dataset.whole_views():
         image = whole.image(whole.reference)
         assert np.allclose(image, sum(part.image(part.reference) for part in whole.parts))
@@ -55,7 +52,7 @@ def test_a_whole_view_is_its_parts(dataset: Dataset) -> None:
         assert whole.halves.shape == (2, len(pixels), 3)
 
 
-def test_parts_are_named(dataset: Dataset) -> None:
+def test_parts_are_named(dataset):
     assert [part.name for part in dataset.parts] == ["surface", "hair"]
     with pytest.raises(CaptureError, match="found no part 'beard', expected one of surface, hair"):
         dataset.part("beard")
@@ -63,7 +60,7 @@ def test_parts_are_named(dataset: Dataset) -> None:
         _ = dataset.only
 
 
-def test_a_part_in_none_of_the_images_is_named(tmp_path: Path) -> None:
+def test_a_part_in_none_of_the_images_is_named(tmp_path):
     inside = {"shell": sphere(3), "core": sphere(2, radius=0.1)}
     dataset = make(tmp_path / "inside.rays", inside)
     assert len(dataset.part("shell").validation_views()) == 2
@@ -72,7 +69,7 @@ def test_a_part_in_none_of_the_images_is_named(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("domain", ["sphere", "hemisphere"])
-def test_a_thin_part_gets_its_share_of_rays(domain: str) -> None:
+def test_a_thin_part_gets_its_share_of_rays(domain):
     """Three spikes of a thousandth of the ball's width: chords alone would hit them 0.1%."""
     scene = AssetScene([sphere(4), spikes(3, radius=0.001)])
     rays = sample_view_rays(scene, WI, 2000, domain, np.random.default_rng(0))
@@ -82,7 +79,7 @@ def test_a_thin_part_gets_its_share_of_rays(domain: str) -> None:
     assert (part >= 0).all()
 
 
-def test_a_part_that_no_camera_outside_sees_leaves_those_rays_to_the_others() -> None:
+def test_a_part_that_no_camera_outside_sees_leaves_those_rays_to_the_others():
     scene = AssetScene([sphere(3), sphere(2, radius=0.1)])
     rays = sample_view_rays(scene, WI, 1000, "sphere", np.random.default_rng(0))
     assert len(rays) == 1000
@@ -90,7 +87,7 @@ def test_a_part_that_no_camera_outside_sees_leaves_those_rays_to_the_others() ->
     assert inside.mean() < 0.1 and np.linalg.norm(rays.origins[inside], axis=1).max() < 1.0
 
 
-def test_aimed_rays_are_spread_as_the_chords_that_meet_the_part() -> None:
+def test_aimed_rays_are_spread_as_the_chords_that_meet_the_part():
     """Beside a ball that hides some of it, and at grazing views."""
     scene = AssetScene([sphere(4), moved(sphere(4), (1.5, 0, 0))])
     rng = np.random.default_rng(0)
@@ -109,15 +106,13 @@ def test_aimed_rays_are_spread_as_the_chords_that_meet_the_part() -> None:
     assert np.abs(spread[0] - spread[1]).max() < 0.003
 
 
-def test_counts_add_up() -> None:
+def test_counts_add_up():
     assert part_counts(10, np.array([0.25, 0.25, 0.5])).tolist() == [2, 3, 5]
     assert part_counts(7, np.full(16, 1 / 16)).sum() == 7
 
 
 @pytest.mark.blender
-def test_cycles_agrees_where_light_reaches_hair_beside_a_ball(
-    tmp_path: Path, blender_python: Path
-) -> None:
+def test_cycles_agrees_where_light_reaches_hair_beside_a_ball(tmp_path, blender_python):
     body = "add(*BALL, diffuse((0.8, 0.4, 0.2)), smooth=True, matrix=HALF)\n"
     half = "HALF = [[0.6, 0, 0, 0], [0, 0.6, 0, 0], [0, 0, 0.6, 0], [0, 0, 0, 1]]\n"
     hair = fur(400, bend=0.2, root=0.012, tip=0.006, melanin=0.3)

@@ -21,12 +21,12 @@ from tests.exporters.two_parts import hairy_ball
 
 
 @pytest.fixture(scope="module")
-def dataset(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
+def dataset(tmp_path_factory):
     return hairy_ball(tmp_path_factory.mktemp("two") / "two.rays")
 
 
 @pytest.fixture(autouse=True)
-def tiny_presets(monkeypatch: pytest.MonkeyPatch) -> None:
+def tiny_presets(monkeypatch):
     presets = {kind: {"small": tiny(kind=kind)} for kind in ("surface", "fiber")}
     monkeypatch.setattr("rna_export.training.rna_train.PRESETS", presets)
     monkeypatch.setattr(Curves, "draw", lambda _: None)
@@ -36,9 +36,7 @@ def arguments(dataset: Dataset, out: Path, *more: str) -> list[str]:
     return [str(dataset.folder), "--out", str(out), "--device", "cpu", "--steps", "20", *more]
 
 
-def test_all_parts_are_trained_and_exported(
-    dataset: Dataset, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_all_parts_are_trained_and_exported(dataset, tmp_path, capsys):
     out, package = tmp_path / "runs", tmp_path / "two.glb"  # with a fallback
     assert train(arguments(dataset, out)) == 0
     said = capsys.readouterr().out
@@ -75,7 +73,7 @@ def test_all_parts_are_trained_and_exported(
     assert min(adds) < tier.cost.multiply_adds < max(adds)
 
 
-def test_a_part_alone_is_the_part_among_the_others(dataset: Dataset, tmp_path: Path) -> None:
+def test_a_part_alone_is_the_part_among_the_others(dataset, tmp_path):
     """So it cannot be worse than a model of that part alone."""
     assert train(arguments(dataset, tmp_path / "all")) == 0
     assert train(arguments(dataset, tmp_path / "one", "--part", "hair")) == 0
@@ -85,9 +83,7 @@ def test_a_part_alone_is_the_part_among_the_others(dataset: Dataset, tmp_path: P
     assert all(np.array_equal(ours[name], alone[name]) for name in ours)
 
 
-def test_a_stopped_run_goes_on_with_the_part_that_it_was_at(
-    dataset: Dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_stopped_run_goes_on_with_the_part_that_it_was_at(dataset, tmp_path, monkeypatch):
     trained = []
     real = run_module.train
 
@@ -112,14 +108,12 @@ def test_a_stopped_run_goes_on_with_the_part_that_it_was_at(
         (("--cut", "16"), "a cut in 16 gives 17 parts"),
     ],
 )
-def test_impossible_parts_are_named(
-    more: tuple[str, str], message: str, dataset: Dataset, tmp_path: Path, capsys
-) -> None:
+def test_impossible_parts_are_named(more, message, dataset, tmp_path, capsys):
     assert train(arguments(dataset, tmp_path, *more)) == 1
     assert message in capsys.readouterr().err
 
 
-def test_minutes_are_shared(dataset: Dataset) -> None:
+def test_minutes_are_shared(dataset):
     shares = shared_minutes(10.0, dataset.parts)
     pixels = [sum(len(v.pixel) for v in part.validation_views()) for part in dataset.parts]
     assert sum(shares.values()) == pytest.approx(10.0, abs=0.01)

@@ -20,7 +20,6 @@ from rna_render import MeshObject, read_mesh_object
 from rna_render.materials.material import Inside
 from rna_sdk.errors import CaptureError
 from tests.conftest import REPOSITORY
-from tests.exporters.conftest import OpenWorker
 from tests.exporters.in_blender import answer_of
 from tests.exporters.scenes import fur, write_scene
 
@@ -47,7 +46,7 @@ def facts(**members: object) -> MaterialFacts:
 
 
 @pytest.mark.blender
-def test_ten_materials_in_one_scene(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_ten_materials_in_one_scene(open_worker, tmp_path):
     opened = OpenedSource.of(open_worker(RECIPE, "all"), {}, "x", None)
     actual = {each.name: each for each in opened.materials}
     for name, (learnt, words) in VERDICTS.items():
@@ -105,7 +104,7 @@ material.node_tree.links.new(info.outputs["Random"], shader.inputs["Melanin"])
 
 
 @pytest.mark.blender
-def test_what_changes_with_the_frame_or_the_strand_is_said(open_worker: OpenWorker) -> None:
+def test_what_changes_with_the_frame_or_the_strand_is_said(open_worker):
     opened = open_worker(fur(20, 0.1, 1e-3, 1e-4, 0.5) + MOVING).opened
     assert opened["changing"] == [
         "material 'principled' plays the image 'SEQUENCE'",
@@ -118,7 +117,7 @@ def test_what_changes_with_the_frame_or_the_strand_is_said(open_worker: OpenWork
     assert "strands that lie together come out in their mean" in verdict.reasons[0]
 
 
-def test_poses_of_a_material_that_changes_are_refused() -> None:
+def test_poses_of_a_material_that_changes_are_refused():
     opened = {"frame": 1, "changing": ["material 'screen' plays the image 'clip.mp4'"]}
     worker: Any = SimpleNamespace(source=Source(Path("tv.blend")), opened=opened)
     assert dict(captured_poses(worker, {}, {}, [])) == {}
@@ -140,9 +139,7 @@ both.data.polygons.foreach_set("material_index", [0, 0, 1, 1, 1, 1])
 
 @pytest.mark.blender
 @pytest.mark.parametrize("glass", ["leave", "keep"])
-def test_one_object_of_glass_and_something_else(
-    glass: str, blender_python: Path, tmp_path: Path
-) -> None:
+def test_one_object_of_glass_and_something_else(glass, blender_python, tmp_path):
     """Rays pass its glass, on which the rest's light depends if it is kept."""
     source = Source(write_scene(tmp_path, "both", BOTTLE), glass=glass)
     with BlenderWorker(blender_python, source, tmp_path / "scratch", 1) as worker:
@@ -162,7 +159,7 @@ def test_one_object_of_glass_and_something_else(
 
 
 @pytest.mark.blender
-def test_a_given_sharpest_is_kept(open_worker: OpenWorker) -> None:
+def test_a_given_sharpest_is_kept(open_worker):
     opened = OpenedSource.of(open_worker(RECIPE, "paint"), {"sharpest": 0.1}, "x", None)
     assert opened.settings.sharpest == 0.1
     assert not any("views look for" in line for line in opened.preflight)
@@ -179,9 +176,7 @@ def test_a_given_sharpest_is_kept(open_worker: OpenWorker) -> None:
         ("glass", "all of it is smooth glass .'principled'., which is left to the host"),
     ],
 )
-def test_what_holds_nothing_to_learn_is_refused(
-    name: str, said: str, open_worker: OpenWorker
-) -> None:
+def test_what_holds_nothing_to_learn_is_refused(name, said, open_worker):
     ball = "add(*BALL, principled(Transmission_Weight=1.0, Roughness=0.0))"
     source = RECIPE if name == "volume" else ball
     with pytest.raises(CaptureError, match=said):
@@ -202,9 +197,7 @@ def test_what_holds_nothing_to_learn_is_refused(
         ("colour", 0.1e-3, False, "roughly"),
     ],
 )
-def test_details_are_compared_with_planes(
-    of: str, size: float | None, mapped: bool, learnt: str
-) -> None:
+def test_details_are_compared_with_planes(of, size, mapped, learnt):
     material = facts(details=[Detail(of=of, node="Grain", size=size)])  # type: ignore[arg-type]
     (actual,) = verdicts([material], [], TEXEL, *2 * [["m"] if mapped else []])
     assert actual.learnt == learnt
@@ -216,12 +209,12 @@ def test_details_are_compared_with_planes(
     ("kinds", "learnt"),
     [(["glass"], "not"), (["refracting"], "roughly"), (["volume"], "roughly"), (["hair"], "well")],
 )
-def test_kinds(kinds: list[str], learnt: str) -> None:
+def test_kinds(kinds, learnt):
     (actual,) = verdicts([facts(kinds=kinds)], [], TEXEL, [], [])
     assert actual.learnt == learnt
 
 
-def test_lines_begin_with_the_worst_and_end_with_what_is_learnt_well() -> None:
+def test_lines_begin_with_the_worst_and_end_with_what_is_learnt_well():
     materials = [facts(name=f"stone {k}") for k in range(5)]
     fine = Detail(of="relief", node="Grain", size=1e-4)
     lines = preflight_lines(verdicts([*materials, facts(details=[fine])], [], TEXEL, [], []))
@@ -235,13 +228,11 @@ def test_lines_begin_with_the_worst_and_end_with_what_is_learnt_well() -> None:
     ("roughness", "sharpest", "named"),
     [(0.05, 0.05, "m"), (0.0, 0.035, "m"), (0.3, 0.14, None), (None, 0.14, None)],
 )
-def test_highlights_are_looked_for_as_narrow_as_the_smoothest_material(
-    roughness: float | None, sharpest: float, named: str | None
-) -> None:
+def test_highlights_are_looked_for_as_narrow_as_the_smoothest_material(roughness, sharpest, named):
     assert sharpest_of([facts(roughness=roughness)]) == (sharpest, named)
 
 
-def test_what_keeps_a_detail_from_being_a_texture_is_named() -> None:
+def test_what_keeps_a_detail_from_being_a_texture_is_named():
     fine = [Detail(of=of, node="Veins", size=1e-4) for of in ("relief", "colour")]
     why = {"relief": {"m": "the limit"}, "colour": {"m": "the node 'Object Info'"}}
     (actual,) = verdicts([facts(details=fine)], [], TEXEL, ["m"], ["m"], why)
@@ -251,7 +242,7 @@ def test_what_keeps_a_detail_from_being_a_texture_is_named() -> None:
 
 
 @pytest.mark.parametrize(("share", "promised"), [(0.02, True), (0.3, False)])
-def test_a_small_part_of_what_is_seen_withholds_no_gain(share: float, promised: bool) -> None:
+def test_a_small_part_of_what_is_seen_withholds_no_gain(share, promised):
     glass = facts(kinds=["glass"])
     (verdict,) = materials = verdicts([glass], [], TEXEL, [], [], None, {"m": share})
     said = no_gain(SimpleNamespace(materials=materials))  # type: ignore[arg-type]
@@ -263,7 +254,7 @@ def test_a_small_part_of_what_is_seen_withholds_no_gain(share: float, promised: 
 
 
 @pytest.mark.parametrize("share", [0.02, 0.3])
-def test_a_gain_of_an_asset_that_loses_relief_says_so(share: float) -> None:
+def test_a_gain_of_an_asset_that_loses_relief_says_so(share):
     fine = Detail(of="relief", node="Grain", size=1e-4)
     (verdict,) = materials = verdicts(
         [facts(details=[fine])], [], TEXEL, [], [], None, {"m": share}
@@ -275,7 +266,7 @@ def test_a_gain_of_an_asset_that_loses_relief_says_so(share: float) -> None:
     assert without_relief(opened) == ([said] if share == 0.3 else [])
 
 
-def test_glass_whose_relief_is_lost_too_is_not_learnt() -> None:
+def test_glass_whose_relief_is_lost_too_is_not_learnt():
     fine = Detail(of="relief", node="Grain", size=1e-4)
     (verdict,) = verdicts([facts(kinds=["glass"], details=[fine])], [], TEXEL, [], [])
     assert (verdict.loses, verdict.promise) == (None, "not learnt")
@@ -303,7 +294,7 @@ answer({
 
 
 @pytest.mark.blender
-def test_details_are_as_fine_as_most_of_an_image(blender_python: Path) -> None:
+def test_details_are_as_fine_as_most_of_an_image(blender_python):
     """And not as its texels: a smooth one of many texels has large details."""
     found = answer_of(blender_python, DETAILS)
     for name in ("waves", "their slopes", "waves with grain", "an image"):
@@ -314,5 +305,5 @@ def test_details_are_as_fine_as_most_of_an_image(blender_python: Path) -> None:
     assert found["nothing"]
 
 
-def test_lengths() -> None:
+def test_lengths():
     assert [length(x) for x in (4e-4, 0.012, 1.25)] == ["0.4 mm", "12 mm", "1.2 m"]

@@ -33,11 +33,11 @@ def count(kind: str, preset: str) -> tuple[int, int]:
 
 @pytest.mark.parametrize("kind", PRESETS)
 @pytest.mark.parametrize(("preset", "width"), [("paper-hq", 512), ("paper-small", 64)])
-def test_parameters_of_the_paper(kind: str, preset: str, width: int) -> None:
+def test_parameters_of_the_paper(kind, preset, width):
     assert count(kind, preset) == (PLANES, mlp(COLUMNS[kind], width))
 
 
-def test_ours_ask_no_dearer_decoder() -> None:
+def test_ours_ask_no_dearer_decoder():
     """`small` adds few inputs to the paper's decoder; `hq` is about a quarter of the paper's."""
     # Visible light alone; that of shadowed light is small, and asked in its place.
     assert count("surface", "small")[1] == count("surface", "paper-small")[1] + 11 * 64 - 3 * 65
@@ -47,13 +47,13 @@ def test_ours_ask_no_dearer_decoder() -> None:
 
 
 @pytest.mark.parametrize(("kind", "preset"), PAPER)
-def test_the_learning_rate_is_halved_each_fifth(kind: str, preset: str) -> None:
+def test_the_learning_rate_is_halved_each_fifth(kind, preset):
     rates = learning_rates(kind, preset, steps=100)
     for fifth in range(5):
         assert rates[20 * fifth : 20 * fifth + 20] == [1e-3 * 0.5**fifth] * 20
 
 
-def test_planes_of_few_samples_are_smoothed_more() -> None:
+def test_planes_of_few_samples_are_smoothed_more():
     small, fiber = PRESETS["surface"]["small"], PRESETS["fiber"]["small"]
     smoothings = [small.for_rows(rows).training.smoothing for rows in (10_000_000, 3_200_000, 1000)]
     assert smoothings == pytest.approx([0.25, 0.5, 2.0])
@@ -67,7 +67,7 @@ def learning_rates(kind: str, preset: str, steps: int) -> list[float]:
 
 
 @pytest.mark.parametrize(("kind", "preset"), ALL)
-def test_a_step_takes_the_rates_of_the_schedule(kind: str, preset: str) -> None:
+def test_a_step_takes_the_rates_of_the_schedule(kind, preset):
     fitting, rows = make_fitting(kind, preset)
     config = PRESETS[kind][preset].training
     before = [p.detach().clone() for p in fitting.model.parameters()]
@@ -95,9 +95,7 @@ def make_fitting(kind: str, preset: str) -> tuple[Fitting, torch.Tensor]:
 
 
 @pytest.mark.parametrize(("kind", "preset"), ALL)
-def test_blur_goes_from_4_to_1_over_the_first_fifth(
-    kind: str, preset: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_blur_goes_from_4_to_1_over_the_first_fifth(kind, preset, monkeypatch):
     fitting, rows = make_fitting(kind, preset)
     used, sample_loss = [], fitting_module.sample_loss
     monkeypatch.setattr(
@@ -110,9 +108,7 @@ def test_blur_goes_from_4_to_1_over_the_first_fifth(
 
 @pytest.mark.parametrize("kind", PRESETS)
 @pytest.mark.parametrize(("preset", "ending"), [("small", "unbiased"), ("paper-small", "log")])
-def test_ours_end_with_the_unbiased_loss(
-    kind: str, preset: str, ending: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_ours_end_with_the_unbiased_loss(kind, preset, ending, monkeypatch):
     fitting, rows = make_fitting(kind, preset)
     used, sample_loss = [], fitting_module.sample_loss
     monkeypatch.setattr(

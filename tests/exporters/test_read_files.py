@@ -1,7 +1,5 @@
 """Files that travel with a source to another machine."""
 
-from pathlib import Path
-
 import pytest
 
 from tests.exporters.in_blender import answer_of
@@ -34,7 +32,7 @@ answer(read_files.files_of(blend)["travel"])
 """
 
 
-def test_all_tiles_and_frames_of_images_travel(blender_python: Path, tmp_path: Path) -> None:
+def test_all_tiles_and_frames_of_images_travel(blender_python, tmp_path):
     travel = answer_of(blender_python, IMAGES, str(tmp_path))
     names = ["a.1001.png", "a.1012.png", "b.u1_v1.png", "b.u2_v2.png", "s0001.png", "s0002.png"]
     assert travel == [str(tmp_path / name) for name in names]

@@ -67,21 +67,19 @@ BRANCH, LESS = (("branch.py", "--leaves", n) for n in ("40", "30"))
 
 
 @pytest.fixture(scope="module")
-def censuses(blender_python: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[Call, dict]:
+def censuses(blender_python, tmp_path_factory):
     calls = [*WITH, UNLIT, BRANCH, LESS]
     folder = tmp_path_factory.mktemp("census")
     return dict(zip(calls, census(blender_python, folder, *calls), strict=True))
 
 
 @pytest.mark.parametrize("call", WITH, ids="-".join)
-def test_a_recipe_has_what_it_says(call: Call, censuses: dict[Call, dict]) -> None:
+def test_a_recipe_has_what_it_says(call, censuses):
     assert 3000 <= censuses[call]["triangles"] <= 30_000
     assert WITH[call] <= set(censuses[call]["materials"])
 
 
-def test_the_same_seed_makes_the_same_branch(
-    blender_python: Path, tmp_path: Path, censuses: dict[Call, dict]
-) -> None:
+def test_the_same_seed_makes_the_same_branch(blender_python, tmp_path, censuses):
     one, less = censuses[BRANCH], censuses[LESS]
     assert census(blender_python, tmp_path, BRANCH) == [one]
     assert one["digest"] != less["digest"]
@@ -90,7 +88,7 @@ def test_the_same_seed_makes_the_same_branch(
     assert [1024, 1024] in one["images"]
 
 
-def test_panes_are_mixes_of_clear_and_mirror_by_fresnel(censuses: dict[Call, dict]) -> None:
+def test_panes_are_mixes_of_clear_and_mirror_by_fresnel(censuses):
     lantern = censuses[UNLIT]
     assert "flame" not in lantern["materials"]
     nodes = set(lantern["materials"]["sea glass"])
@@ -98,8 +96,6 @@ def test_panes_are_mixes_of_clear_and_mirror_by_fresnel(censuses: dict[Call, dic
     assert "BSDF_PRINCIPLED" not in nodes
 
 
-def test_help_of_a_recipe_with_modules_beside_it(
-    blender_python: Path, capfd: pytest.CaptureFixture[str]
-) -> None:
+def test_help_of_a_recipe_with_modules_beside_it(blender_python, capfd):
     source_help.show(RECIPES / "lamp.py")
     assert "--strength" in capfd.readouterr().out

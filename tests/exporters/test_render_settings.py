@@ -1,12 +1,9 @@
 """A capture owns its render settings, whatever the file's are."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 from tests.exporters.blender_settings import HARMLESS, OF_THE_ASSET, known
-from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import unit
 from tests.exporters.in_blender import answer_of
 from tests.exporters.scenes import ball
@@ -114,7 +111,7 @@ scene.view_layers.new("second").layer_collection.children["held"].exclude = True
 )
 
 
-def test_every_property_of_a_render_is_set_or_known_to_be_harmless(blender_python: Path) -> None:
+def test_every_property_of_a_render_is_set_or_known_to_be_harmless(blender_python):
     actual = answer_of(blender_python, SPOILT)
     assert len(actual["spoilt"]) > 45
     assert actual["wrong"] == []
@@ -134,8 +131,8 @@ def test_every_property_of_a_render_is_set_or_known_to_be_harmless(blender_pytho
 
 
 def test_a_file_set_up_for_a_film_gives_the_radiance_of_a_plain_one(
-    open_worker: OpenWorker,
-) -> None:
+    open_worker,
+):
     rng = np.random.default_rng(3)
     towards = rng.normal(size=(64, 3))
     towards /= np.linalg.norm(towards, axis=1, keepdims=True)

@@ -1,12 +1,10 @@
 """The exported geometry is that of renders for camera rays, not of a viewport."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import trace, unit
 from tests.exporters.in_blender import answer_of
 from tests.exporters.scenes import ball
@@ -117,7 +115,7 @@ answer({"notes": notes, "meshes": sorted(o.name for o in bpy.data.objects if o.t
 """
 
 
-def test_the_geometry_is_that_of_renders_and_of_camera_rays(open_worker: OpenWorker) -> None:
+def test_the_geometry_is_that_of_renders_and_of_camera_rays(open_worker):
     worker = open_worker(RENDERED)
     positions = worker.export_corners()["positions"]
     assert np.linalg.norm(positions, axis=1).max() == pytest.approx(1.0, abs=1e-5)
@@ -130,7 +128,7 @@ def test_the_geometry_is_that_of_renders_and_of_camera_rays(open_worker: OpenWor
     assert np.abs(traced.points.x - traced.cycles_position).max() < 1e-4
 
 
-def test_what_cycles_alone_shapes_is_refused_in_one_line(blender_python: Path) -> None:
+def test_what_cycles_alone_shapes_is_refused_in_one_line(blender_python):
     actual = answer_of(blender_python, SHAPED_BY_CYCLES)
     fine = ("plain", "BUMP", "unseen", "off", "multires")
     assert [actual[name] for name in fine] == [None] * 5
@@ -140,13 +138,11 @@ def test_what_cycles_alone_shapes_is_refused_in_one_line(blender_python: Path) -
     assert "'Cube' has adaptive subdivision" in actual["adaptive"]
 
 
-def test_the_material_of_a_view_layer_is_that_of_all_objects(blender_python: Path) -> None:
+def test_the_material_of_a_view_layer_is_that_of_all_objects(blender_python):
     assert answer_of(blender_python, OVERRIDDEN) == [["clay"], ["clay"]]
 
 
-def test_nodes_that_gltf_hides_stay_out_with_all_below_them(
-    blender_python: Path, tmp_path: Path
-) -> None:
+def test_nodes_that_gltf_hides_stay_out_with_all_below_them(blender_python, tmp_path):
     corners = np.float32([[0, 0, 0], [1, 0, 0], [0, 1, 0]])
     (tmp_path / "corners.bin").write_bytes(corners.tobytes())
     hidden = {"KHR_node_visibility": {"visible": False}}

@@ -23,7 +23,7 @@ def make_table(seed: int = 0, batch: int = 100, done: int = 0) -> SampleTable:
     return SampleTable({**samples, "visible": visible}, batch, seed, "cpu", done)
 
 
-def test_columns_are_found_again() -> None:
+def test_columns_are_found_again():
     rows = next(iter(make_table()))
     at = columns(rows, make_table().fields)
     number = at["position"][:, 0]
@@ -32,7 +32,7 @@ def test_columns_are_found_again() -> None:
     assert torch.equal(at["visible"], number % 2)
 
 
-def test_each_sample_once_an_epoch() -> None:
+def test_each_sample_once_an_epoch():
     batches = list(islice(iter(make_table()), 20))
     for epoch in (batches[:10], batches[10:]):
         numbers = torch.cat([rows[:, 0] for rows in epoch])
@@ -40,21 +40,21 @@ def test_each_sample_once_an_epoch() -> None:
     assert not torch.equal(batches[0], batches[10])
 
 
-def test_a_seed_repeats() -> None:
+def test_a_seed_repeats():
     first, again, other = (list(islice(iter(make_table(seed)), 15)) for seed in (1, 1, 2))
     assert all(torch.equal(a, b) for a, b in zip(first, again, strict=True))
     assert not torch.equal(first[0], other[0])
 
 
 @pytest.mark.parametrize("done", [0, 3, 10, 27])
-def test_a_stopped_run_goes_on_where_it_was(done: int) -> None:
+def test_a_stopped_run_goes_on_where_it_was(done):
     whole = list(islice(iter(make_table()), 30))
     rest = list(islice(iter(make_table(done=done)), 30 - done))
     assert all(torch.equal(a, b) for a, b in zip(whole[done:], rest, strict=True))
 
 
 @pytest.mark.parametrize(("share", "lit"), [(0.3, 30), (0.004, 1), (0.999, 99)])
-def test_samples_that_see_the_light_come_first_in_every_batch(share: float, lit: int) -> None:
+def test_samples_that_see_the_light_come_first_in_every_batch(share, lit):
     visible = (np.arange(N) >= (1.0 - share) * N).astype(np.uint8)
     zeros = np.zeros((N, 3), np.float32)
     table = SampleTable({"position": zeros, "radiance": zeros, "visible": visible}, 100)
@@ -73,13 +73,13 @@ def test_samples_that_see_the_light_come_first_in_every_batch(share: float, lit:
         ({}, 100),  # of emission
     ],
 )
-def test_other_samples_are_mixed(fields: dict[str, np.ndarray], batch: int) -> None:
+def test_other_samples_are_mixed(fields, batch):
     zeros = np.zeros((N, 3), np.float32)
     table = SampleTable({"position": zeros, "radiance": zeros, **fields}, batch)
     assert table.lit is None
 
 
-def test_fewer_samples_than_a_batch() -> None:
+def test_fewer_samples_than_a_batch():
     rows = next(iter(make_table(batch=10 * N)))
     assert len(rows) == N
 
@@ -96,7 +96,7 @@ def shadowed_and_lit(**fields: np.ndarray) -> dict[str, np.ndarray]:
     return {"radiance": radiance, "visible": visible, **directions, **fields}
 
 
-def test_stray_highlights_in_shadow_are_clipped() -> None:
+def test_stray_highlights_in_shadow_are_clipped():
     samples = shadowed_and_lit()
     clipped = without_stray_highlights(samples)["radiance"]
     assert np.all(clipped[:2] < 1.0)
@@ -107,7 +107,7 @@ def test_stray_highlights_in_shadow_are_clipped() -> None:
 @pytest.mark.parametrize(
     ("wo", "wi"), [((0, 1, 0), (0.995, 0.1, 0)), ((-0.995, 0.1, 0), (0.995, -0.1, 0))]
 )
-def test_light_that_metal_reflects_into_shadow_is_kept(wo: tuple, wi: tuple) -> None:
+def test_light_that_metal_reflects_into_shadow_is_kept(wo, wi):
     """Beside the highlight of the light itself, or where the surface faces away from it."""
     directions = {k: np.tile(np.float32(v), (N, 1)) for k, v in (("wo", wo), ("wi", wi))}
     samples = shadowed_and_lit(**directions)
@@ -116,12 +116,12 @@ def test_light_that_metal_reflects_into_shadow_is_kept(wo: tuple, wi: tuple) -> 
     )
 
 
-def test_light_of_strands_is_not_clipped() -> None:
+def test_light_of_strands_is_not_clipped():
     samples = shadowed_and_lit(direct=np.zeros((N, 3), np.float32))
     assert without_stray_highlights(samples) is samples
 
 
-def test_an_asset_that_is_black_in_shadow_is_not_clipped() -> None:
+def test_an_asset_that_is_black_in_shadow_is_not_clipped():
     samples = shadowed_and_lit()
     samples["radiance"][2 : N // 2] = 0.0
     assert without_stray_highlights(samples) is samples

@@ -1,7 +1,5 @@
 """Lobes for rays that are fitted to what an asset scatters."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -37,7 +35,7 @@ def scattered(widths: np.ndarray) -> Weighted:
 
 
 @pytest.mark.parametrize("width", [0.001, 0.05])
-def test_the_mixture_has_the_width_of_what_is_reflected(width: float) -> None:
+def test_the_mixture_has_the_width_of_what_is_reflected(width):
     data = scattered(np.full(POINTS, width))
     shares = fitted_shares("surface", data.weight, data.densities)
     mixture = mixture_of("surface", shares)
@@ -46,7 +44,7 @@ def test_the_mixture_has_the_width_of_what_is_reflected(width: float) -> None:
     assert data.costs(shares).mean() < 1.2  # of an ideal mixture 1: no variance
 
 
-def test_triangles_of_another_material_have_a_mixture_of_their_own() -> None:
+def test_triangles_of_another_material_have_a_mixture_of_their_own():
     """Two meshes of 500 triangles; the second one begins where no corner is shared."""
     triangle = np.sort(np.random.default_rng(1).integers(0, 1000, POINTS))
     strip = np.arange(500)[:, None] + [0, 1, 2]
@@ -58,7 +56,7 @@ def test_triangles_of_another_material_have_a_mixture_of_their_own() -> None:
     assert all(lobe.width < 0.004 for lobe in mixture_of("surface", smooth).mirror)
 
 
-def test_many_materials_get_no_more_mixtures_than_a_package_has() -> None:
+def test_many_materials_get_no_more_mixtures_than_a_package_has():
     triangle, strip = np.arange(POINTS), np.arange(POINTS)[:, None] + [0, 1, 2]
     widths = np.where(triangle // 6 % 2, 0.3, 0.002)  # 40 runs
     segments = segments_of(scattered(widths), triangle, strip)
@@ -66,7 +64,7 @@ def test_many_materials_get_no_more_mixtures_than_a_package_has() -> None:
 
 
 @pytest.mark.parametrize("make", [make_tiny_package, make_tiny_fiber_package])
-def test_a_package_is_fitted(make, tmp_path: Path) -> None:
+def test_a_package_is_fitted(make, tmp_path):
     said: list[str] = []
     sampling = fitted_sampling(make(tmp_path / "tiny.rna"), said.append)
     assert sampling is not None and len(sampling.parts) == len(said) == 1

@@ -47,7 +47,7 @@ def cones(region: Region) -> list[tuple[list[float], float]]:
     ]
 
 
-def test_a_camera_and_a_sun(tmp_path: Path) -> None:
+def test_a_camera_and_a_sun(tmp_path):
     actual = domain(tmp_path)
     assert cones(actual.wo) == [([0, 0, 1], round(np.degrees(np.arcsin(0.1)), 3))]
     assert cones(actual.wi) == [([1, 0, 0], 0)]
@@ -77,18 +77,16 @@ def test_a_camera_and_a_sun(tmp_path: Path) -> None:
         ),
     ],
 )
-def test_each_kind_of_light(
-    light: str, axis: list[float], half_angle: float, tmp_path: Path
-) -> None:
+def test_each_kind_of_light(light, axis, half_angle, tmp_path):
     assert cones(domain(tmp_path, light).wi) == [(axis, half_angle)]
 
 
-def test_a_sky_lights_from_everywhere(tmp_path: Path) -> None:
+def test_a_sky_lights_from_everywhere(tmp_path):
     actual = domain(tmp_path, "{type: environment}")
     assert actual.wi == "sphere" and actual.wo != "sphere"
 
 
-def test_cones_are_in_the_space_of_the_turned_and_scaled_asset(tmp_path: Path) -> None:
+def test_cones_are_in_the_space_of_the_turned_and_scaled_asset(tmp_path):
     actual = domain(tmp_path, transform="rotation_deg: [0, 90, 0], scale: 2")
     # The turn takes the asset's +x to the world's -z, and its +z to the world's +x.
     assert cones(actual.wo) == [([-1, 0, 0], round(np.degrees(np.arcsin(0.2)), 3))]
@@ -110,14 +108,12 @@ def test_cones_are_in_the_space_of_the_turned_and_scaled_asset(tmp_path: Path) -
         ("objects: [{path: wall.ply, material: {type: diffuse}}]\nmax_depth: 1", True, True),
     ],
 )
-def test_what_other_things_do(
-    more: str, wo_limited: bool, wi_limited: bool, tmp_path: Path
-) -> None:
+def test_what_other_things_do(more, wo_limited, wi_limited, tmp_path):
     actual = domain(tmp_path, more=more)
     assert (actual.wo != "sphere", actual.wi != "sphere") == (wo_limited, wi_limited)
 
 
-def test_all_frames_of_an_animation_count(tmp_path: Path) -> None:
+def test_all_frames_of_an_animation_count(tmp_path):
     actual = domain(tmp_path, more="animation: {frames: 30, turntable: {}, light_sweep: {}}")
     up = np.float32([[0, 1, 0], [0, -1, 0]])
     for region, first_deg in ((actual.wo, 0.0), (actual.wi, 90.0)):
@@ -126,7 +122,7 @@ def test_all_frames_of_an_animation_count(tmp_path: Path) -> None:
         assert in_region(region, level).all() and not in_region(region, up).any()
 
 
-def test_a_scene_without_the_asset_is_refused(tmp_path: Path) -> None:
+def test_a_scene_without_the_asset_is_refused(tmp_path):
     more = "# two packages, neither of them the dataset's\n"
     text = SCENE.replace("LIGHT", SUN).replace("{TRANSFORM}", "{}").replace("MORE", more)
     text = text.replace("packages/ball.rna", "a.rna").replace("[{path", "[{path: b.rna}, {path")
@@ -135,7 +131,7 @@ def test_a_scene_without_the_asset_is_refused(tmp_path: Path) -> None:
         scene_domain(read_scene(tmp_path / "scene.yaml"), "ball", BALL)
 
 
-def test_every_sample_of_a_capture_is_in_the_domain(tmp_path: Path) -> None:
+def test_every_sample_of_a_capture_is_in_the_domain(tmp_path):
     lamp = "{type: point, position: [4, 4, 0], intensity: [1, 1, 1]}"
     limited = domain(tmp_path, f"{SUN}, {lamp}")
     settings = CaptureSettings(rays=300, lights=12, validation_resolution=24)
@@ -155,7 +151,7 @@ def test_every_sample_of_a_capture_is_in_the_domain(tmp_path: Path) -> None:
     assert min(lit) > 0.2  # the sun has no size, and yet its share
 
 
-def test_the_scene_that_it_was_made_for_stays_inside(tmp_path: Path, capsys) -> None:
+def test_the_scene_that_it_was_made_for_stays_inside(tmp_path, capsys):
     lamp = "{type: rectangle, position: [2, 3, 1], look_at: [0, 0, 0], size: [1, 1], "
     actual = domain(tmp_path, lamp + "radiance: [1, 1, 1]}", "rotation_deg: [20, 30, 0]")
     (tmp_path / "packages").mkdir()

@@ -51,7 +51,7 @@ def exported(
     return open_worker(path, *arguments, **how).export_curves()
 
 
-def test_units_axes_and_constant_widths(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_units_axes_and_constant_widths(open_worker, tmp_path):
     text = curves(LINES + widths([2.0], "constant"))
     actual = exported(open_worker, tmp_path, text)
     np.testing.assert_allclose(actual.points, POINTS, atol=1e-6)
@@ -62,7 +62,7 @@ def test_units_axes_and_constant_widths(open_worker: OpenWorker, tmp_path: Path)
     )
 
 
-def test_hierarchies_and_instances(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_hierarchies_and_instances(open_worker, tmp_path):
     """A prototype in a class that is shown twice, below a parent that moves and scales."""
     body = curves(LINES + widths([2.0, 4.0], "uniform"))
     moved = "double3 xformOp:translate = (0, 0, 50)\n"
@@ -82,7 +82,7 @@ def test_hierarchies_and_instances(open_worker: OpenWorker, tmp_path: Path) -> N
     np.testing.assert_allclose(actual.radii, np.concatenate([2 * radii, 4 * radii]), rtol=1e-5)
 
 
-def test_pinned_splines_keep_their_ends(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_pinned_splines_keep_their_ends(open_worker, tmp_path):
     text = curves(SPLINE + 'uniform token wrap = "pinned"\n' + widths([2, 2, 2, 2, 6], "vertex"))
     actual = exported(open_worker, tmp_path, text)
     np.testing.assert_allclose(actual.points[[0, -1]], [[0, 0, 0], [0, 0, 1]], atol=1e-6)
@@ -90,7 +90,7 @@ def test_pinned_splines_keep_their_ends(open_worker: OpenWorker, tmp_path: Path)
     assert actual.points[:, 1].max() < 0.7  # the points themselves are not on the strand
 
 
-def test_strands_without_widths(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_strands_without_widths(open_worker, tmp_path):
     actual = exported(open_worker, tmp_path, curves(LINES))
     root = np.sqrt(1 + 1 + 4) / 2 / 2000
     np.testing.assert_allclose(actual.radii[[0, 1, 2, 4]], root * np.array([1, 0.3, 1, 0.3]))
@@ -98,13 +98,13 @@ def test_strands_without_widths(open_worker: OpenWorker, tmp_path: Path) -> None
     np.testing.assert_allclose(given.radii, 0.01, rtol=1e-6)
 
 
-def test_widths_that_do_not_fit_are_named(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_widths_that_do_not_fit_are_named(open_worker, tmp_path):
     text = curves(LINES + widths([1, 2, 3], "uniform"))
     with pytest.raises(CaptureError, match=r"hair\.usda: /hair: found 3 widths, expected 2"):
         exported(open_worker, tmp_path, text)
 
 
-def test_a_frame_can_be_chosen(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_a_frame_can_be_chosen(open_worker, tmp_path):
     points = LINES.splitlines()[2].split(" = ")[1]
     moved = points.replace("(0, 100, 0)", "(0, 300, 0)")
     samples = f"point3f[] points.timeSamples = {{ 1: {points}, 5: {moved} }}\n"
@@ -130,9 +130,7 @@ bpy.ops.wm.alembic_export(filepath=PATH)
 
 
 @pytest.mark.parametrize(("kind", "points"), [("POLY", 5), ("NURBS", 9)])
-def test_alembic_strands(
-    kind: str, points: int, open_worker: OpenWorker, tmp_path: Path, blender_python: Path
-) -> None:
+def test_alembic_strands(kind, points, open_worker, tmp_path, blender_python):
     path = tmp_path / "hair.abc"
     script = write_scene(tmp_path, "save", f"TYPE, PATH = {kind!r}, {str(path)!r}\n{ALEMBIC}")
     subprocess.run([blender_python, script], capture_output=True)  # bpy may complain on exit
@@ -151,9 +149,7 @@ def brightness(worker: BlenderWorker) -> float:
     return float(worker.render_rays(rays.origins, rays.directions, wi, 4, 1).radiance.mean())
 
 
-def test_strands_without_material_get_that_of_grooms(
-    open_worker: OpenWorker, tmp_path: Path
-) -> None:
+def test_strands_without_material_get_that_of_grooms(open_worker, tmp_path):
     path = tmp_path / "hair.usda"
     path.write_text(HEADER + curves(LINES + widths([4.0], "constant")))
     black, white = (brightness(open_worker(path, "--melanin", m)) for m in ("1", "0"))
@@ -191,7 +187,7 @@ def Points "dust"
 """
 
 
-def test_points_are_hidden_and_shade_nothing(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_points_are_hidden_and_shade_nothing(open_worker, tmp_path):
     path = tmp_path / "square.usda"
     header = HEADER.replace("upAxis", "timeCodesPerSecond = 12.5\n    upAxis")
     path.write_text(header + PREVIEW + POINTS_ABOVE)
@@ -204,7 +200,7 @@ def test_points_are_hidden_and_shade_nothing(open_worker: OpenWorker, tmp_path: 
     assert traced.missed < 0.005 and np.all(traced.radiance[traced.front][:, 0] > 0.1)
 
 
-def test_preview_surfaces_come_with_the_file(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_preview_surfaces_come_with_the_file(open_worker, tmp_path):
     path = tmp_path / "square.usda"
     path.write_text(HEADER + PREVIEW)
     traced = trace(open_worker(path), unit(0, 1, 0), samples=16)
@@ -226,7 +222,7 @@ def Mesh "%s"
 NORMALS = "normal3f[] normals = [(-1,0,0), (1,0,0), (0,1,0), (0,0,1)] ( interpolation = 'vertex' )"
 
 
-def test_usd_meshes_without_normals_have_facets(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_usd_meshes_without_normals_have_facets(open_worker, tmp_path):
     path = tmp_path / "two.usda"
     path.write_text(HEADER + TETRAHEDRON % ("flat", "") + TETRAHEDRON % ("smooth", NORMALS))
     worker = open_worker(path)

@@ -3,7 +3,6 @@
 import pytest
 
 from rna_sdk.errors import CaptureError
-from tests.exporters.conftest import OpenWorker
 
 pytestmark = pytest.mark.blender
 
@@ -26,7 +25,7 @@ box.name = "box"
 """
 
 
-def test_a_floor_a_hidden_object_and_missing_uvs_are_named(open_worker: OpenWorker) -> None:
+def test_a_floor_a_hidden_object_and_missing_uvs_are_named(open_worker):
     hidden, floor, uvs = open_worker(HIDDEN + FLOOR).opened["notes"]
     assert hidden == "left out, since renders do not show them: 'lost'"
     assert floor.startswith("object 'floor' is 50 times as long as all else together")
@@ -36,8 +35,8 @@ def test_a_floor_a_hidden_object_and_missing_uvs_are_named(open_worker: OpenWork
 
 
 def test_a_scene_of_which_nothing_is_rendered_is_told_what_is_hidden(
-    open_worker: OpenWorker,
-) -> None:
+    open_worker,
+):
     worker = open_worker(HIDDEN)
     with pytest.raises(CaptureError, match="renders do not show 'lost', turn on its camera icon"):
         worker.export_corners()

@@ -5,7 +5,6 @@ import pytest
 
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_sdk.errors import CaptureError
-from tests.exporters.conftest import OpenWorker
 
 pytestmark = pytest.mark.blender
 
@@ -27,12 +26,12 @@ def named(worker: BlenderWorker) -> list[tuple[str, str]]:
     return [(part.name, part.kind) for part in worker.parts]
 
 
-def test_one_kind_is_one_part(open_worker: OpenWorker) -> None:
+def test_one_kind_is_one_part(open_worker):
     assert named(open_worker(HEAD)) == [("asset", "surface")]
     assert named(open_worker(WIG + "hair('wig', 0)")) == [("asset", "fiber")]
 
 
-def test_surfaces_and_hair_are_two_parts(open_worker: OpenWorker) -> None:
+def test_surfaces_and_hair_are_two_parts(open_worker):
     worker = open_worker(WIG + HEAD + "hair('wig', 0)\nhair('beard', 3)\nadd(*square(4))")
     assert named(worker) == [("surface", "surface"), ("hair", "fiber")]
     assert worker.kind == "both"
@@ -40,7 +39,7 @@ def test_surfaces_and_hair_are_two_parts(open_worker: OpenWorker) -> None:
     assert len(worker.export_corners()["positions"]) == 3 * (12 + 2)
 
 
-def test_each_top_object_is_a_part(open_worker: OpenWorker) -> None:
+def test_each_top_object_is_a_part(open_worker):
     """Children belong to what they are parented to, helpers without a shape do not count."""
     scene = """
 collar = add(*square(4))
@@ -66,7 +65,7 @@ hair('tail', 3)
     assert np.allclose(worker.export_curves(of["tail"]).points[0], [3, 1, 2])
 
 
-def test_more_parts_than_a_package_holds_are_refused(open_worker: OpenWorker) -> None:
+def test_more_parts_than_a_package_holds_are_refused(open_worker):
     many = "for k in range(17):\n    add(*square(1, x=3 * k))\n"
     with pytest.raises(CaptureError, match=r"found 17 parts, expected at most 16: .*--parts kinds"):
         open_worker(many, parts="objects")

@@ -16,7 +16,6 @@ from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import Scene
 from rna_render.world.camera import Camera
 from rna_sdk.errors import SceneError
-from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import unit
 from tests.render.assets import sphere
 from tests.render.packages import write_lambert_package
@@ -70,7 +69,7 @@ LIGHTS: dict[str, dict[str, Any]] = {
 
 
 @pytest.mark.blender
-def test_cycles_and_we_agree_on_every_light(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_cycles_and_we_agree_on_every_light(open_worker, tmp_path):
     """Brightness, place and shadows of each light, and what ground and wall throw on each other."""
     _write_box(tmp_path / "wall.obj", (-1.2, 0.0, -1.0), (-1.0, 1.5, 1.0))
     _write_sky(tmp_path / "sky.exr")
@@ -93,9 +92,7 @@ bpy.context.scene.collection.objects.link(empty)
 
 @pytest.mark.blender
 @pytest.mark.parametrize("instanced", ["", INSTANCED], ids=["itself", "instance"])
-def test_the_original_stands_where_the_scene_puts_the_asset(
-    instanced: str, open_worker: OpenWorker, tmp_path: Path
-) -> None:
+def test_the_original_stands_where_the_scene_puts_the_asset(instanced, open_worker, tmp_path):
     low, high = (-0.2, 0.0, -0.4), (0.3, 0.8, 0.1)
     _write_box(tmp_path / "box.obj", low, high)
     worker = open_worker(
@@ -118,7 +115,7 @@ def test_the_original_stands_where_the_scene_puts_the_asset(
 
 
 @pytest.mark.blender
-def test_a_scene_leaves_later_renders_as_they_were(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_a_scene_leaves_later_renders_as_they_were(open_worker, tmp_path):
     worker = open_worker("add(*BALL, diffuse((0.9, 0.5, 0.1)))")
     view = Camera(_scene(LIGHTS["sun"]).camera, (16, 12)), unit(0, 1, 0), 4, 1
     before = worker.render_view(*view)
@@ -141,13 +138,13 @@ BULB = {"type": "sphere", "position": (0, 1, 0), "radius": 1, "radiance": (1, 1,
         ({"lights": [BULB]}, "sphere lights"),
     ],
 )
-def test_what_blender_has_no_twin_of_is_refused(wrong: dict[str, Any], says: str) -> None:
+def test_what_blender_has_no_twin_of_is_refused(wrong, says):
     scene = Scene(**{"camera": CAMERA, "ground": GROUND, **wrong})
     with pytest.raises(SceneError, match=says):
         cycles_scene(scene)
 
 
-def test_a_ground_without_a_size_is_that_of_rna_run(tmp_path: Path) -> None:
+def test_a_ground_without_a_size_is_that_of_rna_run(tmp_path):
     package = write_lambert_package(tmp_path / "ball.rna", sphere(1))
     transform = {"translation": (9.0, 1.0, -30.0), "rotation_deg": (0.0, 30.0, 0.0)}
     asset = {"path": str(package), "transform": transform}

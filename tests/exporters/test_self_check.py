@@ -128,14 +128,14 @@ def strands(radius: float, at: float = 0.0, count: int = 40) -> AssetScene:
     ],
     ids=["surface", "parts", "pose", "holes", "thin", "fibers"],
 )
-def test_what_is_rendered_as_it_was_exported_has_no_note(scene: AssetScene) -> None:
+def test_what_is_rendered_as_it_was_exported_has_no_note(scene):
     check = checked(scene, scene, turn=5.0)
     assert check.note() is None
     assert check.picture is None
     assert check.used_rays > 0.5 * check.rays  # a ray that passes what is thin may meet nothing
 
 
-def test_strands_thinner_than_a_pixel_have_no_note() -> None:
+def test_strands_thinner_than_a_pixel_have_no_note():
     """Cycles' least filter of 0.01 pixels moves rays by a good part of such a strand's width."""
     scene = strands(5e-4, count=2000)
     assert checked(scene, scene, filter_width=0.01).note() is None
@@ -155,14 +155,14 @@ def test_strands_thinner_than_a_pixel_have_no_note() -> None:
         (strands(0.05), strands(0.05, at=0.02), ELSEWHERE),
     ],
 )
-def test_what_differs_is_told(exported: AssetScene, rendered: AssetScene, kind: str) -> None:
+def test_what_differs_is_told(exported, rendered, kind):
     check = checked(exported, rendered)
     assert check.shares[kind] >= 0.01
     assert kind in check.worth_telling()
     assert Image.open(io.BytesIO(check.picture)).size[0] == 3 * 384
 
 
-def test_other_normals_are_told_of_surfaces_whose_relief_is_mapped() -> None:
+def test_other_normals_are_told_of_surfaces_whose_relief_is_mapped():
     scene = AssetScene([BALL])
     check = checked(scene, scene, turn=40.0)
     assert set(check.worth_telling()) == {TURNED}
@@ -173,19 +173,19 @@ def test_other_normals_are_told_of_surfaces_whose_relief_is_mapped() -> None:
 
 
 @pytest.mark.parametrize(("radiance", "reported"), [(0.3183, False), (1.2732, True), (0.31, True)])
-def test_light_that_settings_change_is_told(radiance: float, reported: bool) -> None:
+def test_light_that_settings_change_is_told(radiance, reported):
     check = SelfCheck(AssetScene([BALL]), SAMPLES, normals=True)
     check.render_card(Card(radiance))
     assert (check.note() is not None) == reported
 
 
-def test_the_picture_is_taken_from_where_most_differs() -> None:
+def test_the_picture_is_taken_from_where_most_differs():
     below = moved(sphere(2, radius=0.2), (0.0, -1.0, 0.0))
     check = checked(AssetScene([BALL]), AssetScene([merged(BALL, below)]))
     assert check._camera().position[1] < -1.0
 
 
-def test_the_picture_marks_what_is_missing_in_red_and_what_is_not_exported_in_blue() -> None:
+def test_the_picture_marks_what_is_missing_in_red_and_what_is_not_exported_in_blue():
     check = checked(AssetScene([BALL]), AssetScene([merged(BALL, SMALL)]))
     pixels = np.asarray(Image.open(io.BytesIO(check.picture)), np.int32)
     marked = pixels[60:420, 2 * 384 :].reshape(-1, 3)
@@ -195,14 +195,14 @@ def test_the_picture_marks_what_is_missing_in_red_and_what_is_not_exported_in_bl
     assert not red.any()
 
 
-def test_nothing_kept_is_an_error_of_one_line() -> None:
+def test_nothing_kept_is_an_error_of_one_line():
     check = checked(AssetScene([BALL]), AssetScene([moved(sphere(2), (100.0, 0.0, 0.0))]))
     assert not check.used_rays
     with pytest.raises(CaptureError, match=r"^ball.gltf: none of 1,024 view rays can be kept: "):
         refuse_nothing(check, Source(Path("ball.gltf")))
 
 
-def test_rna_make_keeps_the_picture_beside_the_package(tmp_path: Path) -> None:
+def test_rna_make_keeps_the_picture_beside_the_package(tmp_path):
     options = SimpleNamespace(work=tmp_path / "toy.make")
     assert _saved_picture(options, tmp_path / "toy.rna") is None
     rays = tmp_path / "toy.make" / "rays"
@@ -214,11 +214,11 @@ def test_rna_make_keeps_the_picture_beside_the_package(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("rays", "side"), [(64, 48), (4096, 101), (16384, 128)])
-def test_the_picture_costs_no_more_than_a_render_of_view_rays(rays: int, side: int) -> None:
+def test_the_picture_costs_no_more_than_a_render_of_view_rays(rays, side):
     assert picture_side(rays) == side
 
 
-def test_a_ray_that_neither_meets_is_no_disagreement() -> None:
+def test_a_ray_that_neither_meets_is_no_disagreement():
     scene = AssetScene([BALL])
     away = ViewRays(np.full((8, 3), 9.0, np.float32), np.tile(np.float32([0, 0, 1]), (8, 1)))
     check = SelfCheck(scene, SAMPLES, normals=True)

@@ -13,7 +13,6 @@ from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.orientation import rotation
 from rna_sdk.errors import CaptureError
-from tests.exporters.conftest import OpenWorker
 from tests.exporters.scenes import write_scene
 
 pytestmark = pytest.mark.blender
@@ -24,7 +23,7 @@ FACES = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 
 
 @pytest.fixture(scope="module")
-def sources(tmp_path_factory: pytest.TempPathFactory, blender_python: Path) -> dict[str, Path]:
+def sources(tmp_path_factory, blender_python):
     """The tetrahedron in every format: suffix -> file."""
     folder = tmp_path_factory.mktemp("sources")
     up_is_y = trimesh.Trimesh(VERTICES, FACES, process=False)
@@ -50,7 +49,7 @@ def sources(tmp_path_factory: pytest.TempPathFactory, blender_python: Path) -> d
 @pytest.mark.parametrize(
     "suffix", [s for s, known in SOURCE_FORMATS.items() if known.options != "groom"]
 )
-def test_format(suffix: str, sources: dict[str, Path], open_worker: OpenWorker) -> None:
+def test_format(suffix, sources, open_worker):
     positions = open_worker(sources[suffix]).export_corners()["positions"]
     actual = np.unique(np.round(positions, 5) + 0.0, axis=0)
     assert np.allclose(actual, np.unique(VERTICES, axis=0), atol=1e-5)
@@ -68,9 +67,7 @@ def test_format(suffix: str, sources: dict[str, Path], open_worker: OpenWorker) 
         (".abc", {"front": "-X"}),
     ],
 )
-def test_front_and_up_are_axes_of_the_file(
-    suffix: str, axes: dict[str, str], sources: dict[str, Path], open_worker: OpenWorker
-) -> None:
+def test_front_and_up_are_axes_of_the_file(suffix, axes, sources, open_worker):
     """Whatever the file calls front and up is +Z and +Y afterwards."""
     up_is_z = suffix in (".ply", ".blend", ".usda")  # Blender writes USD with its own axes
     up = axes.get("up", "Z" if up_is_z else "Y")
@@ -81,38 +78,36 @@ def test_front_and_up_are_axes_of_the_file(
     assert np.allclose(actual, np.unique(in_file @ rotation(front, up), axis=0), atol=1e-5)
 
 
-def test_front_and_up_along_one_axis_are_refused(
-    sources: dict[str, Path], open_worker: OpenWorker
-) -> None:
+def test_front_and_up_along_one_axis_are_refused(sources, open_worker):
     with pytest.raises(CaptureError, match="front Y and up Y are along one axis: give --front"):
         open_worker(sources[".glb"], front="Y")
 
 
-def test_a_script_gets_its_arguments(open_worker: OpenWorker) -> None:
+def test_a_script_gets_its_arguments(open_worker):
     script = "import sys\nadd(*square(float(sys.argv[1])))"
     positions = open_worker(script, "2.5").export_corners()["positions"]
     assert np.abs(positions).max() == 2.5
 
 
-def test_a_script_that_fails_names_its_error(open_worker: OpenWorker) -> None:
+def test_a_script_that_fails_names_its_error(open_worker):
     with pytest.raises(CaptureError, match="ZeroDivisionError"):
         open_worker("1 / 0")
 
 
-def test_an_empty_scene_is_refused(open_worker: OpenWorker) -> None:
+def test_an_empty_scene_is_refused(open_worker):
     with pytest.raises(CaptureError, match="no mesh"):
         open_worker("").export_corners()
 
 
 @pytest.mark.parametrize("suffix", [".glb", ".abc", ".usda", ".usdc", ".usdz"])
-def test_a_broken_file_is_refused(suffix: str, open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_a_broken_file_is_refused(suffix, open_worker, tmp_path):
     broken = tmp_path / f"broken{suffix}"
     broken.write_bytes(b"glTF but not really")
     with pytest.raises(CaptureError, match=rf"^[^\n]*broken\{suffix}[^\n]*$"):
         open_worker(broken)
 
 
-def test_an_interpreter_without_bpy_is_refused(tmp_path: Path) -> None:
+def test_an_interpreter_without_bpy_is_refused(tmp_path):
     import sys
 
     scene = write_scene(tmp_path, "scene", "add(CUBE, SIDES)")

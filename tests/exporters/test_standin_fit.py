@@ -41,7 +41,7 @@ def dataset(tmp_path, monkeypatch):
     return make_dataset(tmp_path / "ball.rays").dataset
 
 
-def test_they_have_the_colour_of_the_asset_and_a_share_of_its_size(dataset, monkeypatch) -> None:
+def test_they_have_the_colour_of_the_asset_and_a_share_of_its_size(dataset, monkeypatch):
     said: list[str] = []
     model = standin_fit._fitted(dataset.only)
     monkeypatch.setattr(standin_fit, "_fitted", lambda part: model)
@@ -59,6 +59,6 @@ def test_they_have_the_colour_of_the_asset_and_a_share_of_its_size(dataset, monk
     assert said[-1] == "stand-in: no textures, they exceed 15% of the package"
 
 
-def test_without_texture_coordinates_there_are_none(tmp_path) -> None:
+def test_without_texture_coordinates_there_are_none(tmp_path):
     dataset = make_dataset(tmp_path / "ball.rays").dataset
     assert textures_within(dataset, 10_000_000, print) == [None]

@@ -48,7 +48,7 @@ def pixels(png: bytes) -> np.ndarray:
     return np.asarray(Image.open(io.BytesIO(png)), np.float32) / 255.0
 
 
-def test_texels_hold_the_material_of_their_place() -> None:
+def test_texels_hold_the_material_of_their_place():
     model = model_of_place()
     images = {name: pixels(png) for name, png in standin_textures(model, floor(), SIDE).items()}
     assert {image.shape for image in images.values()} == {(SIDE, SIDE, 3)}
@@ -82,13 +82,13 @@ def test_texels_hold_the_material_of_their_place() -> None:
     ],
     ids=["none", "tiled often", "tiled", "folded", "a point"],
 )
-def test_what_lays_out_no_texture_is_told(uvs, what: str) -> None:
+def test_what_lays_out_no_texture_is_told(uvs, what):
     mesh = floor()
     with pytest.raises(ExportError, match=what):
         uv_points(replace(mesh, uvs=uvs(mesh.uvs)), SIDE)
 
 
-def test_charts_may_lie_over_the_edge_of_the_texture() -> None:
+def test_charts_may_lie_over_the_edge_of_the_texture():
     mesh = floor()
     moved = replace(mesh, uvs=mesh.uvs + np.float32([-0.25, 0.5]))
     at, shifted = uv_points(mesh, SIDE), uv_points(moved, SIDE)

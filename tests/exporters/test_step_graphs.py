@@ -18,7 +18,7 @@ from tests.exporters.synthetic import tiny
 BOUNDS = torch.tensor([[-1.0] * 3, [1.0] * 3])
 
 
-def test_a_step_is_recorded_after_three_and_reads_the_new_rows() -> None:
+def test_a_step_is_recorded_after_three_and_reads_the_new_rows():
     recorded, ran = [], []
 
     def step(kind: str, rows: torch.Tensor) -> torch.Tensor:
@@ -45,7 +45,7 @@ def as_on_a_gpu(fitting: Fitting) -> Fitting:
 
 
 @pytest.mark.parametrize("kind", ["surface", "fiber"])
-def test_steps_of_graphs_learn_what_others_learn(kind: str) -> None:
+def test_steps_of_graphs_learn_what_others_learn(kind):
     """Through blur, no blur and the loss of the end; blurred planes are PyTorch's on a GPU."""
     states = []
     for prepare in (lambda fitting: fitting, as_on_a_gpu):
@@ -62,7 +62,7 @@ def test_steps_of_graphs_learn_what_others_learn(kind: str) -> None:
 
 
 @pytest.mark.parametrize("footprint", [1.01, 1.6, 2.5, 4.0])
-def test_a_footprint_in_a_tensor_blurs_alike(footprint: float) -> None:
+def test_a_footprint_in_a_tensor_blurs_alike(footprint):
     planes = torch.randn(3, 12, 12, 2, generator=torch.Generator().manual_seed(0))
     kernel, normalisation = triplane._blur(12, footprint)
     radius = len(kernel) // 2
@@ -74,9 +74,7 @@ def test_a_footprint_in_a_tensor_blurs_alike(footprint: float) -> None:
 
 
 @pytest.mark.parametrize("done", [0, 7])
-def test_rows_that_are_loaded_are_those_of_a_table_on_the_device(
-    monkeypatch: pytest.MonkeyPatch, done: int
-) -> None:
+def test_rows_that_are_loaded_are_those_of_a_table_on_the_device(monkeypatch, done):
     """The host's part of it; a GPU only copies."""
     monkeypatch.setattr(samples_module, "_GATHERED", 2)
     monkeypatch.setattr(torch.Tensor, "pin_memory", lambda rows: rows)

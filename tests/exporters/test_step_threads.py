@@ -44,14 +44,14 @@ def run(machine: Machine, threads: StepThreads, seconds: float) -> float:
     return (sum(machine.steps.values()) - before) / (machine.now - begun)
 
 
-def test_a_quiet_machine_has_nearly_the_speed_of_all_its_threads() -> None:
+def test_a_quiet_machine_has_nearly_the_speed_of_all_its_threads():
     machine = Machine(one=0.007, all=0.0045)
     with StepThreads(4, machine.use, lambda: machine.now) as threads:
         assert run(machine, threads, 60.0) > 0.97 / 0.0045
         assert machine.threads == 4
 
 
-def test_a_busy_machine_has_nearly_the_speed_of_one_thread() -> None:
+def test_a_busy_machine_has_nearly_the_speed_of_one_thread():
     machine = Machine(one=0.025, all=0.3)
     with StepThreads(4, machine.use, lambda: machine.now) as threads:
         assert run(machine, threads, 10.0) > 0.85 / 0.025
@@ -60,7 +60,7 @@ def test_a_busy_machine_has_nearly_the_speed_of_one_thread() -> None:
     assert machine.threads == 4  # as before
 
 
-def test_load_that_comes_is_noticed_at_once_and_that_goes_within_half_a_minute() -> None:
+def test_load_that_comes_is_noticed_at_once_and_that_goes_within_half_a_minute():
     machine = Machine(one=0.007, all=0.0045)
     with StepThreads(4, machine.use, lambda: machine.now) as threads:
         run(machine, threads, 60.0)
@@ -73,7 +73,7 @@ def test_load_that_comes_is_noticed_at_once_and_that_goes_within_half_a_minute()
         assert machine.threads == 4
 
 
-def test_long_regions_have_all_threads_in_between() -> None:
+def test_long_regions_have_all_threads_in_between():
     machine = Machine(one=0.025, all=0.3)
     with StepThreads(4, machine.use, lambda: machine.now) as threads:
         run(machine, threads, 5.0)
@@ -82,7 +82,7 @@ def test_long_regions_have_all_threads_in_between() -> None:
         assert machine.threads == 1
 
 
-def test_one_thread_is_never_set_again() -> None:
+def test_one_thread_is_never_set_again():
     machine = Machine(one=0.01, all=0.01)
     with StepThreads(1, machine.use, lambda: machine.now) as threads:
         run(machine, threads, 10.0)
@@ -90,7 +90,7 @@ def test_one_thread_is_never_set_again() -> None:
 
 
 @pytest.mark.skipif(kernel_threads() < 2, reason="one core")
-def test_numbers_of_threads_apply_to_kernels_and_torch() -> None:
+def test_numbers_of_threads_apply_to_kernels_and_torch():
     before = kernel_threads()
     try:
         assert use_threads(1) == 1
@@ -101,7 +101,7 @@ def test_numbers_of_threads_apply_to_kernels_and_torch() -> None:
 
 
 @pytest.mark.parametrize("loss", ["log", "unbiased"])
-def test_steps_give_the_same_bits_with_any_number_of_threads(loss: str) -> None:
+def test_steps_give_the_same_bits_with_any_number_of_threads(loss):
     rng = np.random.default_rng(0)
 
     def directions() -> np.ndarray:
@@ -133,7 +133,7 @@ def test_steps_give_the_same_bits_with_any_number_of_threads(loss: str) -> None:
         assert torch.equal(values, states[1][name]), name
 
 
-def test_narrow_products_are_those_of_torch_and_repeat() -> None:
+def test_narrow_products_are_those_of_torch_and_repeat():
     generator = torch.Generator().manual_seed(0)
     gradient, value = (torch.randn(64, k, generator=generator) for k in (6, 16))
     exact = (gradient.double().t() @ value.double()).float()  # BLAS sums in orders of its own
@@ -146,7 +146,7 @@ def test_narrow_products_are_those_of_torch_and_repeat() -> None:
         use_threads(before)
 
 
-def test_products_are_those_of_a_step() -> None:
+def test_products_are_those_of_a_step():
     """Whose bits may depend on threads: visible light's in bfloat16, too, shadowed light's not."""
     preset = PRESETS["surface"]["hq"]
     model = NeuralAsset(preset.model, torch.tensor([[-1.0] * 3, [1.0] * 3]))
@@ -163,7 +163,7 @@ def test_products_are_those_of_a_step() -> None:
     }
 
 
-def test_products_that_differ_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_products_that_differ_are_found(monkeypatch):
     def shared_sum(gradient: torch.Tensor, value: torch.Tensor) -> torch.Tensor:
         parts = zip(gradient.chunk(count), value.chunk(count), strict=True)
         return torch.stack([g.t() @ v for g, v in parts]).sum(dim=0)

@@ -46,7 +46,7 @@ def run_all(dataset: DatasetPart, teacher: Teacher) -> None:
         task.run(dataset.dataset, scene, teacher)
 
 
-def test_samples_are_what_the_teacher_said_of_the_ray(tmp_path: Path) -> None:
+def test_samples_are_what_the_teacher_said_of_the_ray(tmp_path):
     dataset = make(tmp_path, sphere(4))
     run_all(dataset, Teacher())
     at = dataset.training_samples()
@@ -59,7 +59,7 @@ def test_samples_are_what_the_teacher_said_of_the_ray(tmp_path: Path) -> None:
     )
 
 
-def test_rays_take_turns_at_the_poses_of_which_rest_points_are_recorded(tmp_path: Path) -> None:
+def test_rays_take_turns_at_the_poses_of_which_rest_points_are_recorded(tmp_path):
     """In the second of two poses the ball is turned, and larger."""
 
     class Posed(Teacher):
@@ -99,7 +99,7 @@ def test_rays_take_turns_at_the_poses_of_which_rest_points_are_recorded(tmp_path
     assert shown[:8] == [1, 2, 1, 2, 2, 1, 2, 1]
 
 
-def test_a_plan_is_every_light_once(tmp_path: Path) -> None:
+def test_a_plan_is_every_light_once(tmp_path):
     dataset = make(tmp_path, sphere(2))
     run_all(dataset, Teacher())
     sizes = [len(load_file(dataset.dataset.train_path(k))["asset/wi"]) for k in range(3)]
@@ -117,7 +117,7 @@ def drop(share: int):
 
 
 @pytest.mark.parametrize(("share", "said"), [(2, 1), (1000, 0)])
-def test_dropped_rays_are_counted_and_said(tmp_path: Path, share: int, said: int) -> None:
+def test_dropped_rays_are_counted_and_said(tmp_path, share, said):
     dataset = make(tmp_path, sphere(4))
     run_all(dataset, Teacher(drop(share)))
     lines: list[str] = []
@@ -127,7 +127,7 @@ def test_dropped_rays_are_counted_and_said(tmp_path: Path, share: int, said: int
         assert lines[0].startswith("note: 500 of 1,000 view rays (50.0%) made no sample")
 
 
-def test_a_capture_without_any_sample_is_an_error(tmp_path: Path) -> None:
+def test_a_capture_without_any_sample_is_an_error(tmp_path):
     dataset = make(tmp_path, sphere(4))
     say_dropped(dataset.dataset, print)  # nothing captured yet
     for task in all_tasks(dataset.dataset):
@@ -138,9 +138,7 @@ def test_a_capture_without_any_sample_is_an_error(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("cutouts", "count"), [(False, 100), (True, 200)])
-def test_see_through_hits_are_kept_for_cutouts_only(
-    tmp_path: Path, cutouts: bool, count: int
-) -> None:
+def test_see_through_hits_are_kept_for_cutouts_only(tmp_path, cutouts, count):
     def spoil(radiance, alpha):
         alpha[::2] = 0.4
 
@@ -149,7 +147,7 @@ def test_see_through_hits_are_kept_for_cutouts_only(
     assert len(dataset.training_samples()["wo"]) == count
 
 
-def test_radiance_that_is_not_finite_is_dropped(tmp_path: Path) -> None:
+def test_radiance_that_is_not_finite_is_dropped(tmp_path):
     def spoil(radiance, alpha):
         radiance[:3, 1] = np.nan, np.inf, -np.inf
 
@@ -158,7 +156,7 @@ def test_radiance_that_is_not_finite_is_dropped(tmp_path: Path) -> None:
     assert len(dataset.training_samples()["wo"]) == 197
 
 
-def test_the_seed_decides_rays_lights_and_noise(tmp_path: Path) -> None:
+def test_the_seed_decides_rays_lights_and_noise(tmp_path):
     first, again, other = (
         make(tmp_path / name, sphere(3), seed=seed) for name, seed in (("a", 1), ("b", 1), ("c", 2))
     )
@@ -173,13 +171,13 @@ def test_the_seed_decides_rays_lights_and_noise(tmp_path: Path) -> None:
     assert not np.array_equal(a["wi"], c["wi"]) and not np.array_equal(a["wo"], c["wo"])
 
 
-def test_no_two_renders_of_a_capture_share_their_noise(tmp_path: Path) -> None:
+def test_no_two_renders_of_a_capture_share_their_noise(tmp_path):
     teacher = Teacher()
     run_all(make(tmp_path, sphere(3)), teacher)
     assert len(set(teacher.seeds)) == len(teacher.seeds) == 5 + 2 * 128 + 1
 
 
-def test_two_of_sixteen_views_are_close_ups_and_six_are_lit_from_behind(tmp_path: Path) -> None:
+def test_two_of_sixteen_views_are_close_ups_and_six_are_lit_from_behind(tmp_path):
     dataset = make(tmp_path, sphere(4), validation_views=32)
     run_all(dataset, Teacher())
     views = dataset.validation_views()
@@ -192,7 +190,7 @@ def test_two_of_sixteen_views_are_close_ups_and_six_are_lit_from_behind(tmp_path
     assert list(np.flatnonzero(behind)) == [k for k in range(32) if k % 8 in (1, 3, 6)]
 
 
-def test_hemisphere_looks_and_is_lit_from_above(tmp_path: Path) -> None:
+def test_hemisphere_looks_and_is_lit_from_above(tmp_path):
     dataset = make(tmp_path, ring(), domain="hemisphere", validation_resolution=32)
     run_all(dataset, Teacher())
     rows = [dataset.training_samples(), *(view.samples for view in dataset.validation_views())]
@@ -201,7 +199,7 @@ def test_hemisphere_looks_and_is_lit_from_above(tmp_path: Path) -> None:
     assert dataset.training_samples()["wo"][:, 1].min() >= 0.0
 
 
-def test_every_view_sees_something(tmp_path: Path) -> None:
+def test_every_view_sees_something(tmp_path):
     """Also of a ring, whose middle is empty."""
     dataset = make(tmp_path, ring(), validation_views=24, validation_resolution=32)
     scene, teacher = scene_of(dataset.dataset), Teacher()

@@ -4,7 +4,6 @@ import pytest
 
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.geometry.exported_parts import exported_parts
-from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import assert_same_cards
 
 pytestmark = pytest.mark.blender
@@ -188,14 +187,14 @@ for k, item in enumerate(bpy.context.scene.objects):
 
 
 @pytest.mark.parametrize(("scene", "cards"), [(WRAPPED, 9), (NAMED, 10)], ids=["wraps", "names"])
-def test_holes_are_where_cycles_has_them(open_worker: OpenWorker, scene: str, cards: int) -> None:
+def test_holes_are_where_cycles_has_them(open_worker, scene, cards):
     worker = open_worker(scene)
     exported = exported_parts(worker, CaptureSettings())
     assert exported.notes == []
     assert_same_cards(worker, exported, cards)
 
 
-def test_what_no_texture_holds_is_named(open_worker: OpenWorker) -> None:
+def test_what_no_texture_holds_is_named(open_worker):
     worker = open_worker(REFUSED)
     exported = exported_parts(worker, CaptureSettings())
     assert exported.has_opaque_cutouts and exported.records == {}

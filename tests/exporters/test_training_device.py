@@ -1,12 +1,10 @@
 """Batch, optimizer and device of a training; the error if a GPU's memory is too small."""
 
-from pathlib import Path
 from typing import Any
 
 import pytest
 import torch
 
-from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training import training_options
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.optimization.fitting import Fitting
@@ -20,16 +18,16 @@ from tests.exporters.synthetic import tiny
 
 
 @pytest.fixture(autouse=True)
-def without_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
+def without_pictures(monkeypatch):
     monkeypatch.setattr(Curves, "draw", lambda _: None)
 
 
 def test_options_of_batch_and_optimizer_are_recorded(
-    dataset: DatasetPart,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+    dataset,
+    tmp_path,
+    monkeypatch,
+    capsys,
+):
     monkeypatch.setattr(
         "rna_export.training.rna_train.PRESETS", {"surface": {"small": tiny()}}, raising=True
     )
@@ -40,20 +38,20 @@ def test_options_of_batch_and_optimizer_are_recorded(
     assert (training.batch, training.optimizer) == (96, "adam")
 
 
-def test_a_batch_of_nothing_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_batch_of_nothing_is_refused(tmp_path, capsys):
     with pytest.raises(SystemExit) as ended:
         main([str(tmp_path), "--out", str(tmp_path / "run"), "--batch", "0"])
     assert ended.value.code == 2
     assert "--batch: expected a number above 0, found 0" in capsys.readouterr().err
 
 
-def test_a_gpu_has_larger_batches() -> None:
+def test_a_gpu_has_larger_batches():
     small = PRESETS["surface"]["small"]
     assert small.on_device("cuda").training.batch == BATCH["cuda"] > BATCH["cpu"]
     assert small.on_device("cpu") == small
 
 
-def test_what_device_was_taken_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_device_was_taken_is_told(monkeypatch):
     monkeypatch.setattr(torch.cuda, "get_device_name", lambda: "NVIDIA H100")
     assert device_name("cuda") == "the GPU (NVIDIA H100)"
     assert device_name("cpu") == "the CPU"
@@ -62,17 +60,13 @@ def test_what_device_was_taken_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
         assert training_options.chosen_device("auto") == taken
 
 
-def test_a_batch_beyond_the_machine_is_refused_before_a_step(
-    dataset: DatasetPart, tmp_path: Path
-) -> None:
+def test_a_batch_beyond_the_machine_is_refused_before_a_step(dataset, tmp_path):
     run = Run(dataset, tiny(batch=10**10), "small", tmp_path / "run")
     with pytest.raises(RnaError, match=r"^--batch 10000000000: a step: takes .* GB of memory"):
         train(run)
 
 
-def test_a_batch_that_does_not_fit_is_one_line(
-    dataset: DatasetPart, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_batch_that_does_not_fit_is_one_line(dataset, tmp_path, monkeypatch):
     def step(*_: Any) -> torch.Tensor:
         raise torch.OutOfMemoryError("CUDA out of memory. Tried to allocate ...")
 

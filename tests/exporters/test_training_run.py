@@ -24,13 +24,13 @@ from tests.exporters.synthetic import make_dataset, tiny
 
 
 @pytest.fixture(scope="module")
-def trained(dataset: DatasetPart, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def trained(dataset, tmp_path_factory):
     """The folder of a finished run of 40 steps."""
     return train(plan(dataset, tmp_path_factory.mktemp("run"))).parent
 
 
 @pytest.fixture(autouse=True)
-def without_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
+def without_pictures(monkeypatch):
     """Drawing takes most of so short a run; `trained` has its picture."""
     monkeypatch.setattr(Curves, "draw", lambda _: None)
 
@@ -39,7 +39,7 @@ def plan(dataset: DatasetPart, out: Path, steps: int = 40, seed: int = 0) -> Run
     return Run(dataset, tiny(steps=steps), "small", out, seed)
 
 
-def test_a_run_of_few_samples_smooths_its_planes_more(dataset: DatasetPart, tmp_path: Path) -> None:
+def test_a_run_of_few_samples_smooths_its_planes_more(dataset, tmp_path):
     run = plan(dataset, tmp_path, steps=4)
     best = train(replace(run, preset=run.preset.with_training(smoothing=0.25)))
     assert load_checkpoint(best).preset.training.smoothing == 2.0
@@ -54,7 +54,7 @@ def curve(folder: Path, name: str) -> dict[int, float]:
         return {int(row["step"]): float(row[name]) for row in csv.DictReader(file) if row[name]}
 
 
-def test_what_a_run_leaves(trained: Path, dataset: DatasetPart) -> None:
+def test_what_a_run_leaves(trained, dataset):
     names = {"best.ckpt", "last.ckpt", "metrics.csv", "curves.png", "sheet.png", "validation"}
     assert {path.name for path in trained.iterdir()} == names
     assert (trained / "curves.png").stat().st_size > 5000
@@ -68,7 +68,7 @@ def test_what_a_run_leaves(trained: Path, dataset: DatasetPart) -> None:
             assert image.size == (3 * times * size, times * size)
 
 
-def test_the_best_checkpoint_is_that_of_least_flip(trained: Path, dataset: DatasetPart) -> None:
+def test_the_best_checkpoint_is_that_of_least_flip(trained, dataset):
     best, views = load_checkpoint(trained / "best.ckpt"), dataset.validation_views()
     flips, psnrs = curve(trained, "flip"), curve(trained, "psnr")
     scores = score([shade(best.model, view) for view in views], views)
@@ -76,7 +76,7 @@ def test_the_best_checkpoint_is_that_of_least_flip(trained: Path, dataset: Datas
     assert scores.images == 2
 
 
-def test_a_seed_repeats_to_the_bit(dataset: DatasetPart, trained: Path, tmp_path: Path) -> None:
+def test_a_seed_repeats_to_the_bit(dataset, trained, tmp_path):
     train(plan(dataset, tmp_path / "again"))
     train(plan(dataset, tmp_path / "other", seed=1))
     first, again, other = (
@@ -96,7 +96,7 @@ class Continued:
 
 
 @pytest.fixture(scope="module")
-def continued(dataset: DatasetPart, tmp_path_factory: pytest.TempPathFactory) -> Continued:
+def continued(dataset, tmp_path_factory):
     folder = tmp_path_factory.mktemp("continued")
     step, done = Fitting.step, []
 
@@ -116,22 +116,22 @@ def continued(dataset: DatasetPart, tmp_path_factory: pytest.TempPathFactory) ->
     return Continued(folder, len(done))
 
 
-def test_a_stopped_run_goes_on(continued: Continued) -> None:
+def test_a_stopped_run_goes_on(continued):
     assert continued.steps_after == 20  # the last checkpoint was at 20
     saved = torch.load(continued.folder / "last.ckpt", weights_only=True)
     assert saved["progress"]["step"] == 40
 
 
-def test_curves_of_a_run_that_went_on_are_whole(continued: Continued) -> None:
+def test_curves_of_a_run_that_went_on_are_whole(continued):
     assert sorted(curve(continued.folder, "psnr")) == list(range(4, 41, 4))
 
 
-def test_a_stopped_run_ends_as_if_it_had_not_been(continued: Continued, trained: Path) -> None:
+def test_a_stopped_run_ends_as_if_it_had_not_been(continued, trained):
     whole, stopped = (weights(folder / "last.ckpt") for folder in (trained, continued.folder))
     assert all(torch.equal(whole[name], stopped[name]) for name in whole)
 
 
-def test_a_finished_run_stays_as_it_is(dataset: DatasetPart, tmp_path: Path) -> None:
+def test_a_finished_run_stays_as_it_is(dataset, tmp_path):
     folder = tmp_path / "run"
     train(plan(dataset, folder, steps=20))
     before = (folder / "best.ckpt").read_bytes(), curve(folder, "psnr")
@@ -140,23 +140,19 @@ def test_a_finished_run_stays_as_it_is(dataset: DatasetPart, tmp_path: Path) -> 
 
 
 @pytest.mark.parametrize("change", [{"seed": 1}, {"steps": 50}], ids=str)
-def test_another_run_in_the_same_folder_is_refused(
-    dataset: DatasetPart, trained: Path, change: dict[str, int]
-) -> None:
+def test_another_run_in_the_same_folder_is_refused(dataset, trained, change):
     ((name, value),) = change.items()
     with pytest.raises(TrainingError, match=rf"{name}.* found {value}"):
         train(plan(dataset, trained, **change))
 
 
-def test_another_dataset_in_the_same_folder_is_refused(trained: Path, tmp_path: Path) -> None:
+def test_another_dataset_in_the_same_folder_is_refused(trained, tmp_path):
     other = make_dataset(tmp_path / "other.rays", seed=5)
     with pytest.raises(TrainingError, match="another dataset"):
         train(plan(other, trained))
 
 
-def test_a_finished_run_frees_its_samples(
-    dataset: DatasetPart, tmp_path: Path, monkeypatch
-) -> None:
+def test_a_finished_run_frees_its_samples(dataset, tmp_path, monkeypatch):
     monkeypatch.undo()  # draws: matplotlib leaves cycles
     table = SampleTable(dataset.training_samples())
     held = weakref.ref(table.rows)
@@ -170,18 +166,18 @@ def test_a_finished_run_frees_its_samples(
         gc.enable()
 
 
-def test_the_ceiling_is_above_all_that_was_seen(trained: Path, dataset: DatasetPart) -> None:
+def test_the_ceiling_is_above_all_that_was_seen(trained, dataset):
     seen = float(dataset.training_samples()["radiance"].max())
     assert load_checkpoint(trained / "best.ckpt").model.ceiling.item() == pytest.approx(1.5 * seen)
 
 
-def test_the_unit_is_the_median_of_what_is_lit(trained: Path, dataset: DatasetPart) -> None:
+def test_the_unit_is_the_median_of_what_is_lit(trained, dataset):
     samples = dataset.training_samples()
     median = float(np.median(samples["radiance"][samples["visible"] > 0]))
     assert load_checkpoint(trained / "best.ckpt").model.unit.item() == pytest.approx(median)
 
 
-def test_bounds_hold_the_geometry_and_are_never_flat(dataset: DatasetPart) -> None:
+def test_bounds_hold_the_geometry_and_are_never_flat(dataset):
     low, high = padded_bounds(dataset)
     assert torch.all(low < -1.0) and torch.all(high > 1.0) and torch.all(high < 1.1)
     flat = dataset.captured.model_copy(update={"bounds": ((-1.0, 0.0, -2.0), (1.0, 0.0, 2.0))})
@@ -189,7 +185,7 @@ def test_bounds_hold_the_geometry_and_are_never_flat(dataset: DatasetPart) -> No
     assert high[1] - low[1] >= 0.4
 
 
-def test_the_command_line(dataset: DatasetPart, tmp_path: Path, capsys, monkeypatch) -> None:
+def test_the_command_line(dataset, tmp_path, capsys, monkeypatch):
     monkeypatch.setattr("rna_export.training.rna_train.PRESETS", {"surface": {"small": tiny()}})
     arguments = [str(dataset.folder), "--out", str(tmp_path), "--device", "cpu"]
     assert main([*arguments, "--steps", "20"]) == 0
@@ -199,7 +195,7 @@ def test_the_command_line(dataset: DatasetPart, tmp_path: Path, capsys, monkeypa
     assert "error: " in capsys.readouterr().err
 
 
-def test_the_loss_is_the_one_asked_for(dataset: DatasetPart, tmp_path: Path, monkeypatch) -> None:
+def test_the_loss_is_the_one_asked_for(dataset, tmp_path, monkeypatch):
     presets = {kind: {"small": tiny(kind=kind)} for kind in ("surface", "fiber")}
     monkeypatch.setattr("rna_export.training.rna_train.PRESETS", presets)
     arguments = ["--out", str(tmp_path), "--device", "cpu", "--steps", "20", "--loss", "unbiased"]
@@ -207,7 +203,7 @@ def test_the_loss_is_the_one_asked_for(dataset: DatasetPart, tmp_path: Path, mon
     assert load_checkpoint(tmp_path / "best.ckpt").preset.training.loss == "unbiased"
 
 
-def test_fibers_have_no_loss_to_choose(tmp_path: Path, capsys) -> None:
+def test_fibers_have_no_loss_to_choose(tmp_path, capsys):
     hair = make_dataset(tmp_path / "hair.rays")
     fibers = hair.captured.model_copy(update={"kind": "fiber"})
     manifest = hair.manifest.model_copy(update={"parts": (fibers,)})
@@ -217,14 +213,14 @@ def test_fibers_have_no_loss_to_choose(tmp_path: Path, capsys) -> None:
 
 
 @pytest.mark.parametrize("option", ["--steps 0", "--steps -5", "--minutes 0", "--minutes -1"])
-def test_wrong_usage(dataset: DatasetPart, tmp_path: Path, option: str, monkeypatch) -> None:
+def test_wrong_usage(dataset, tmp_path, option, monkeypatch):
     monkeypatch.setattr("rna_export.training.training_run.train", lambda _: tmp_path)
     with pytest.raises(SystemExit) as exit_:
         main([str(dataset.folder), "--out", str(tmp_path), *option.split()])
     assert exit_.value.code == 2
 
 
-def test_shading_in_pieces_is_the_same(trained: Path, dataset: DatasetPart, monkeypatch) -> None:
+def test_shading_in_pieces_is_the_same(trained, dataset, monkeypatch):
     model = load_checkpoint(trained / "best.ckpt").model
     view = dataset.validation_views()[0]
     whole = shade(model, view)
@@ -233,7 +229,7 @@ def test_shading_in_pieces_is_the_same(trained: Path, dataset: DatasetPart, monk
 
 
 @pytest.mark.gpu
-def test_cuda_trains_what_the_cpu_trains(dataset: DatasetPart, tmp_path: Path) -> None:
+def test_cuda_trains_what_the_cpu_trains(dataset, tmp_path):
     scores = []
     for device in ("cpu", "cuda"):
         train(Run(dataset, tiny(steps=400), "small", tmp_path / device, device=device))

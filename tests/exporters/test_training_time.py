@@ -78,7 +78,7 @@ def ticking(monkeypatch: pytest.MonkeyPatch) -> Clock:
 
 
 @pytest.fixture
-def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
+def clock(monkeypatch):
     return ticking(monkeypatch)
 
 
@@ -91,7 +91,7 @@ class Finished:
 
 
 @pytest.fixture(scope="module")
-def finished(dataset: DatasetPart, tmp_path_factory: pytest.TempPathFactory) -> Finished:
+def finished(dataset, tmp_path_factory):
     folder = tmp_path_factory.mktemp("finished")
     with pytest.MonkeyPatch.context() as patch:
         clock = ticking(patch)
@@ -103,7 +103,7 @@ def run(dataset: DatasetPart, out: Path, minutes: float = MINUTES) -> Run:
     return Run(dataset, tiny(), "small", out, minutes=minutes)
 
 
-def test_the_time_is_kept(finished: Finished) -> None:
+def test_the_time_is_kept(finished):
     clock = finished.clock
     assert clock.now - 1000.0 == pytest.approx(60.0 * MINUTES, abs=0.6)
     assert len(clock.validated_at) == 10
@@ -111,23 +111,21 @@ def test_the_time_is_kept(finished: Finished) -> None:
     assert apart == pytest.approx([6.0] * 9, abs=2.5)
 
 
-def test_the_schedule_ends_as_it_should(finished: Finished) -> None:
+def test_the_schedule_ends_as_it_should(finished):
     clock = finished.clock
     assert clock.progress == sorted(clock.progress) and clock.progress[-1] > 0.98
     assert clock.rates[0] == pytest.approx(1.0, rel=0.01)
     assert clock.rates[-1] < 0.003
 
 
-def test_a_checkpoint_says_how_many_steps_it_took(finished: Finished) -> None:
+def test_a_checkpoint_says_how_many_steps_it_took(finished):
     assert load_checkpoint(finished.folder / "last.ckpt").steps == len(finished.clock.progress)
     saved = torch.load(finished.folder / "last.ckpt", weights_only=True)
     assert saved["progress"]["step"] == len(finished.clock.progress)
     assert saved["record"]["minutes"] == MINUTES
 
 
-def test_a_stopped_run_takes_the_rest_of_its_time(
-    dataset: DatasetPart, clock: Clock, tmp_path: Path
-) -> None:
+def test_a_stopped_run_takes_the_rest_of_its_time(dataset, clock, tmp_path):
     clock.stop_at = 1000.0 + 40.0
     with pytest.raises(KeyboardInterrupt):
         train(run(dataset, tmp_path))
@@ -140,14 +138,14 @@ def test_a_stopped_run_takes_the_rest_of_its_time(
     assert len(clock.validated_at) >= 10
 
 
-def test_another_length_is_refused(finished: Finished, dataset: DatasetPart) -> None:
+def test_another_length_is_refused(finished, dataset):
     with pytest.raises(TrainingError, match=r"another length 1 minutes, found 2 minutes"):
         train(run(dataset, finished.folder, minutes=2.0))
     with pytest.raises(TrainingError, match=r"another length 1 minutes, found 40 steps"):
         train(Run(dataset, tiny(), "small", finished.folder))
 
 
-def test_after_a_stall_the_rates_still_come_down(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_after_a_stall_the_rates_still_come_down(monkeypatch):
     clock = Clock(now=0.0)
     monkeypatch.setattr(pace_module, "monotonic", clock)
     pace = TimePace(100.0, 0.0)

@@ -11,7 +11,6 @@ from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import EmissionShard, TrainingShard
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.geometry.exported_parts import exported_parts
-from tests.exporters.conftest import OpenWorker
 from tests.exporters.synthetic import manifest_of
 
 pytestmark = pytest.mark.blender
@@ -111,7 +110,7 @@ def holes(worker: BlenderWorker) -> tuple[dict[str, SeeThrough], list[str]]:
     return textures.see_through, textures.notes
 
 
-def test_alpha_of_an_image_is_read_texel_by_texel(open_worker: OpenWorker) -> None:
+def test_alpha_of_an_image_is_read_texel_by_texel(open_worker):
     actual, notes = holes(open_worker(BLEND))
     leaf = actual["principled"]
     assert (leaf.cutoff, leaf.ior, notes) == (None, None, [])
@@ -119,39 +118,37 @@ def test_alpha_of_an_image_is_read_texel_by_texel(open_worker: OpenWorker) -> No
     assert np.abs(leaf.texture[..., 0] / 255.0 - (1.0 - alpha_of_leaf())).max() < 0.003
 
 
-def test_a_threshold_is_a_cutoff_of_what_it_compares(open_worker: OpenWorker) -> None:
+def test_a_threshold_is_a_cutoff_of_what_it_compares(open_worker):
     actual, _ = holes(open_worker(MASK))
     leaf = actual["principled"]
     assert leaf.cutoff == pytest.approx(0.75)
     assert np.abs(leaf.texture[..., 0] / 255.0 - (1.0 - alpha_of_leaf())).max() < 0.003
 
 
-def test_a_fresnel_mix_is_thin_glass(open_worker: OpenWorker) -> None:
+def test_a_fresnel_mix_is_thin_glass(open_worker):
     actual, _ = holes(open_worker(GLASS))
     glass = actual["principled"]
     assert glass.texture.tolist() == [[[51, 102, 204]]]
     assert glass.ior == pytest.approx((1.5, 1 / 1.5))
 
 
-def test_nodes_in_groups_are_read(open_worker: OpenWorker) -> None:
+def test_nodes_in_groups_are_read(open_worker):
     actual, _ = holes(open_worker(GROUP))
     assert actual["principled"].texture.tolist() == [[[191]]]
 
 
 @pytest.mark.parametrize("scene", ["add(*square(1), principled())", LAMP])
-def test_opaque_materials_have_none(open_worker: OpenWorker, scene: str) -> None:
+def test_opaque_materials_have_none(open_worker, scene):
     assert holes(open_worker(scene)) == ({}, [])
 
 
-def test_what_is_no_function_of_uv_is_named(open_worker: OpenWorker) -> None:
+def test_what_is_no_function_of_uv_is_named(open_worker):
     actual, notes = holes(open_worker(BY_SIDE))
     assert actual == {}
     assert len(notes) == 1 and "'principled'" in notes[0] and "'Geometry'" in notes[0]
 
 
-def test_a_plate_is_captured_as_if_it_were_opaque_and_weakens_light(
-    open_worker: OpenWorker, tmp_path: Path
-) -> None:
+def test_a_plate_is_captured_as_if_it_were_opaque_and_weakens_light(open_worker, tmp_path):
     dataset = captured(open_worker(PLATE_OVER_GROUND), tmp_path / "rays")
     at = dataset.only.training_samples()
     up, visible = at["wi"][:, 1], at["visible"]
@@ -167,7 +164,7 @@ def test_a_plate_is_captured_as_if_it_were_opaque_and_weakens_light(
     assert np.median(ground, axis=0) == pytest.approx([0.5, 0.25, 0.5], rel=0.25)
 
 
-def test_emission_is_captured_in_watts(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_emission_is_captured_in_watts(open_worker, tmp_path):
     dataset = captured(open_worker(LAMP), tmp_path / "rays")
     EmissionShard(0).run(dataset, scene_of(dataset), open_worker(LAMP))
     at = dataset.only.emission_samples()

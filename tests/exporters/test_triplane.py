@@ -11,7 +11,7 @@ LOW, HIGH = torch.tensor([-1.0, 0.0, 2.0]), torch.tensor([1.0, 3.0, 2.5])
 
 
 @pytest.fixture
-def triplane() -> Triplane:
+def triplane():
     torch.manual_seed(0)
     result = Triplane(11, 5, LOW, HIGH)
     result.planes.data.normal_()  # far from where training starts, so that errors show
@@ -19,7 +19,7 @@ def triplane() -> Triplane:
 
 
 @pytest.fixture
-def positions() -> torch.Tensor:
+def positions():
     """Inside, on the box, at texel centres, and outside."""
     p = torch.rand(500, 3, generator=torch.Generator().manual_seed(1))
     edges = torch.cartesian_prod(*[torch.tensor([0.0, 0.5 / 11, 0.5, 1.0])] * 3)
@@ -27,15 +27,13 @@ def positions() -> torch.Tensor:
     return LOW + (HIGH - LOW) * torch.cat([p, edges, outside])
 
 
-def test_equals_the_reference(triplane: Triplane, positions: torch.Tensor) -> None:
+def test_equals_the_reference(triplane, positions):
     p = ((positions - LOW) / (HIGH - LOW)).clamp(0.0, 1.0).double().numpy()
     expected = triplane_features(triplane.planes.detach().numpy(), p)
     assert np.abs(triplane(positions).detach().numpy() - expected).max() < 1e-5
 
 
-def test_values_and_gradients_are_those_of_grid_sample(
-    triplane: Triplane, positions: torch.Tensor
-) -> None:
+def test_values_and_gradients_are_those_of_grid_sample(triplane, positions):
     p = 2.0 * (positions - LOW) / (HIGH - LOW) - 1.0
     planes = triplane.planes.detach().requires_grad_()
     expected = torch.zeros(len(p), 5)
@@ -56,9 +54,7 @@ def test_values_and_gradients_are_those_of_grid_sample(
 
 
 @pytest.mark.parametrize("blur", [1.0, 1.2, 4.0])
-def test_compiled_kernels_equal_their_twins(
-    triplane: Triplane, positions: torch.Tensor, blur: float
-) -> None:
+def test_compiled_kernels_equal_their_twins(triplane, positions, blur):
     p = (positions - LOW) / (HIGH - LOW)
     weights = torch.randn(len(p), 5, generator=torch.Generator().manual_seed(3))
     twin = triplane.planes.detach().clone().requires_grad_()
@@ -70,18 +66,18 @@ def test_compiled_kernels_equal_their_twins(
     assert torch.allclose(triplane.planes.grad, twin.grad, atol=1e-4)
 
 
-def test_blur_of_one_texel_is_none(triplane: Triplane, positions: torch.Tensor) -> None:
+def test_blur_of_one_texel_is_none(triplane, positions):
     assert torch.equal(triplane(positions, blur=1.0), triplane(positions))
 
 
-def test_blur_fades_to_none(triplane: Triplane) -> None:
+def test_blur_fades_to_none(triplane):
     planes = triplane.planes.detach()
     change = [(blurred(planes, b) - planes).abs().max().item() for b in (4.0, 2.0, 1.3, 1.05)]
     assert change == sorted(change, reverse=True)
     assert change[0] > 0.1 and change[-1] < 1e-6
 
 
-def test_blur_keeps_a_constant_and_the_mean() -> None:
+def test_blur_keeps_a_constant_and_the_mean():
     constant = torch.full((3, 12, 12, 2), 0.7)
     assert torch.allclose(blurred(constant, 4.0), constant, atol=1e-6)
     spot = torch.zeros(3, 33, 33, 1)
@@ -91,7 +87,7 @@ def test_blur_keeps_a_constant_and_the_mean() -> None:
     assert smooth.max() < 0.2
 
 
-def test_blur_has_its_width() -> None:
+def test_blur_has_its_width():
     """Standard deviation of (footprint - 1) / 2 texels."""
     spot = torch.zeros(1, 65, 65, 1)
     spot[:, 32, 32] = 1.0
@@ -101,7 +97,7 @@ def test_blur_has_its_width() -> None:
     assert deviation == pytest.approx(1.5, rel=0.06)  # the kernel ends at 2.5 of it
 
 
-def test_smoothing_exchanges_between_neighbours(triplane: Triplane) -> None:
+def test_smoothing_exchanges_between_neighbours(triplane):
     before = triplane.planes.detach().clone()
     expected = diffused(before, 0.2)
     triplane.smooth(0.2)

@@ -98,9 +98,7 @@ def images_of(exported: ExportedParts) -> list[str]:
     return [r.image for r in exported.colors["asset"] if r.image is not None]
 
 
-def test_each_tile_keeps_its_file_and_what_crosses_them_is_baked(
-    open_worker: OpenWorker, tmp_path: Path
-) -> None:
+def test_each_tile_keeps_its_file_and_what_crosses_them_is_baked(open_worker, tmp_path):
     exported, colours = captured(open_worker, tmp_path)
     assert exported.notes == []
     names = {n: f"base_color/body-paint-{n}.png" for n in SIZES}
@@ -116,7 +114,7 @@ def test_each_tile_keeps_its_file_and_what_crosses_them_is_baked(
         assert tile == NOWHERE or np.ptp(shown, axis=0).max() > 0.5, tile
 
 
-def test_a_tile_has_the_triangles_that_lie_in_it(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_a_tile_has_the_triangles_that_lie_in_it(open_worker, tmp_path):
     """1002 has two squares that lie apart in the mesh; tiles without triangles are left out."""
     exported, _ = captured(open_worker, tmp_path, tiles=(1002, 1001, 1002))
     mesh = exported.geometries["asset"]
@@ -133,9 +131,7 @@ def test_a_tile_has_the_triangles_that_lie_in_it(open_worker: OpenWorker, tmp_pa
     }
 
 
-def test_packed_tiles_and_those_of_a_punched_material(
-    open_worker: OpenWorker, tmp_path: Path
-) -> None:
+def test_packed_tiles_and_those_of_a_punched_material(open_worker, tmp_path):
     exported, colours = captured(open_worker, tmp_path, PACKED + PUNCHED, (1012, 1001, 1002))
     assert sorted(images_of(exported)) == [f"base_color/body-paint-{n}.png" for n in SIZES]
     for number in SIZES:
@@ -150,9 +146,7 @@ def test_packed_tiles_and_those_of_a_punched_material(
     )
 
 
-def test_more_tiles_than_a_part_has_records_are_baked(
-    open_worker: OpenWorker, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_more_tiles_than_a_part_has_records_are_baked(open_worker, tmp_path, monkeypatch):
     monkeypatch.setattr(base_colors, "_MOST", 2)
     exported, colours = captured(open_worker, tmp_path, tiles=(1002, 1001, 1012))
     assert exported.notes == [

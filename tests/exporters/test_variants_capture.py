@@ -16,7 +16,6 @@ from rna_export.capture.capture_tasks import TrainingShard
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.geometry.exported_parts import exported_parts
 from rna_export.export.extras import variants_of
-from tests.exporters.conftest import OpenWorker
 from tests.exporters.synthetic import manifest_of
 
 pytestmark = pytest.mark.blender
@@ -100,7 +99,7 @@ def write_gltf(folder: Path) -> Path:
     return path
 
 
-def test_variants_are_captured_in_turn(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_variants_are_captured_in_turn(open_worker, tmp_path):
     worker = open_worker(write_gltf(tmp_path))
     (note,) = (note for note in worker.opened["notes"] if "variant" in note)
     assert note == (

@@ -30,27 +30,27 @@ def check(geometry: Mesh | Curves, holes: tuple[Transmittance, ...] = ()) -> lis
 
 
 @pytest.mark.parametrize("geometry", [tuft(), tuft(0.3), sphere(2), square(1.0)])
-def test_ordinary_assets_have_no_note(geometry: Mesh | Curves) -> None:
+def test_ordinary_assets_have_no_note(geometry):
     assert check(geometry) == []
 
 
-def test_a_stray_strand_is_named() -> None:
+def test_a_stray_strand_is_named():
     with pytest.raises(CaptureError, match=r"^asset\.glb: strand 7 of part 'asset' is 1,000 m "):
         check(tuft(1000.0))
 
 
-def test_a_stray_strand_near_by_is_a_note() -> None:
+def test_a_stray_strand_near_by_is_a_note():
     (note,) = check(tuft(2.0))
     assert note.startswith("strand 7 of part 'asset' is 2 m from the rest")
 
 
-def test_a_stray_triangle_is_named() -> None:
+def test_a_stray_triangle_is_named():
     """Which piece it is, counted by its first vertex."""
     with pytest.raises(CaptureError, match="piece 1 of part 'asset' is 5,000 m from"):
         check(merged(sphere(2), moved(square(0.1), (5000.0, 0.0, 0.0))))
 
 
-def test_holes_all_over_leave_nothing_to_see() -> None:
+def test_holes_all_over_leave_nothing_to_see():
     mesh = square(1.0)
     hole = Transmittance(0, len(mesh.triangles), np.full((1, 1, 1), 255, np.uint8), 0.5, None)
     with pytest.raises(CaptureError, match="all rays pass through its surfaces"):

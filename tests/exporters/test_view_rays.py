@@ -11,7 +11,7 @@ WI = np.float32([0.36, 0.8, 0.48])
 
 @pytest.mark.parametrize("domain", ["sphere", "hemisphere"])
 @pytest.mark.parametrize("mesh", [sphere(3), ring()], ids=["ball", "ring"])
-def test_every_ray_hits(mesh, domain) -> None:
+def test_every_ray_hits(mesh, domain):
     scene = AssetScene([mesh])
     rays = sample_view_rays(scene, WI, 3000, domain, np.random.default_rng(0))
     assert len(rays) == 3000
@@ -19,13 +19,13 @@ def test_every_ray_hits(mesh, domain) -> None:
     assert np.allclose(np.linalg.norm(rays.directions, axis=1), 1.0, atol=1e-5)
 
 
-def test_hemisphere_looks_from_above() -> None:
+def test_hemisphere_looks_from_above():
     scene = AssetScene([ring()])
     rays = sample_view_rays(scene, WI, 2000, "hemisphere", np.random.default_rng(0))
     assert rays.directions[:, 1].max() <= 0.0
 
 
-def test_some_rays_start_close() -> None:
+def test_some_rays_start_close():
     scene = AssetScene([sphere(4)])
     rays = sample_view_rays(scene, WI, 4000, "sphere", np.random.default_rng(0))
     height = np.linalg.norm(rays.origins, axis=1) - 1.0
@@ -33,7 +33,7 @@ def test_some_rays_start_close() -> None:
     assert height.min() > -1e-3  # none starts inside
 
 
-def test_the_highlight_is_looked_at() -> None:
+def test_the_highlight_is_looked_at():
     scene = AssetScene([sphere(4)])
     rays = sample_view_rays(scene, WI, 8000, "sphere", np.random.default_rng(0))
     points = scene.shade_points(rays.origins, rays.directions)
@@ -44,7 +44,7 @@ def test_the_highlight_is_looked_at() -> None:
     assert near.mean() > 4.0 * uniform
 
 
-def test_a_seed_repeats() -> None:
+def test_a_seed_repeats():
     scene = AssetScene([sphere(3)])
     first, again, other = (
         sample_view_rays(scene, WI, 500, "sphere", np.random.default_rng(seed))

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from rna_export.capture.blender_process.lighting import Light, WhiteWorld
-from rna_sdk.package.manifest.manifest_fields import Cone, Region
+from rna_sdk.package.manifest.manifest_fields import Cone
 
 SQUARE = "add(*square(1), diffuse((0.8, 0.5, 0.2)))"
 GLOWING = "add(*square(1), principled(Emission_Strength=5.0, Base_Color=(0.8, 0.5, 0.2, 1)))"
@@ -23,15 +23,13 @@ CAP = np.radians(30.0)
         ((Cone(axis=(1.0, 0.0, 0.0), half_angle=np.pi / 2),), 0.5),
     ],
 )
-def test_a_diffuse_square_returns_its_albedo_of_the_light(
-    region: Region, share: float, open_worker
-) -> None:
+def test_a_diffuse_square_returns_its_albedo_of_the_light(region, share, open_worker):
     found = _seen_from_above(open_worker(SQUARE), WhiteWorld(region), 1024)
     assert found == pytest.approx(share * np.array([0.8, 0.5, 0.2]), rel=0.03)
 
 
 @pytest.mark.blender
-def test_the_asset_does_not_glow_there_and_the_sun_comes_back(open_worker) -> None:
+def test_the_asset_does_not_glow_there_and_the_sun_comes_back(open_worker):
     worker = open_worker(GLOWING)
     sun = np.array([0.0, 1.0, 0.0])
     before = _seen_from_above(worker, sun, 64)

@@ -20,7 +20,7 @@ print(worker.stdout.readline().decode(), flush=True)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="Linux alone tells a process of its parent")
-def test_a_worker_ends_while_blender_loads(tmp_path: Path) -> None:
+def test_a_worker_ends_while_blender_loads(tmp_path):
     (tmp_path / "bpy.py").write_text(LOADING)
     command = [sys.executable, "-c", PARENT, _WORKER, "1"]
     done = subprocess.run(

@@ -3,7 +3,6 @@
 import time
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -20,7 +19,7 @@ pytestmark = [
 __all__ = ["cluster", "ray_address"]
 
 
-def test_a_training_has_the_same_bits(ray_address: str, tmp_path: Path) -> None:
+def test_a_training_has_the_same_bits(ray_address, tmp_path):
     dataset = make_dataset(tmp_path / "ball.rays")
     trial = Trial(name="tiny", family="ours", preset=tiny(steps=12), seed=1)
 
@@ -37,7 +36,7 @@ def test_a_training_has_the_same_bits(ray_address: str, tmp_path: Path) -> None:
     assert packages[0] == packages[1]
 
 
-def test_workers_share_a_gpu(cluster: Any, ray_address: str) -> None:
+def test_workers_share_a_gpu(cluster, ray_address):
     node = cluster.add_node(num_cpus=2, num_gpus=1)
     try:
         with open_executor(ray_address) as executor:

@@ -34,7 +34,7 @@ def samples(n: int) -> dict[str, torch.Tensor]:
 
 
 @pytest.mark.parametrize("kind", ["surface", "fiber"])
-def test_feature_network_sees_position_and_directions(kind: str) -> None:
+def test_feature_network_sees_position_and_directions(kind):
     channels = 12 + ENCODED_DIRECTIONS
     model = model_of(kind, width=48, channels=channels)
     at = samples(8)
@@ -49,7 +49,7 @@ def test_feature_network_sees_position_and_directions(kind: str) -> None:
     assert all(p.grad is not None for p in model.network.parameters())
 
 
-def test_feature_network_in_bfloat16_is_near_that_in_float32() -> None:
+def test_feature_network_in_bfloat16_is_near_that_in_float32():
     model = model_of("surface", width=128, channels=64 + ENCODED_DIRECTIONS)
     at, answers, gradients = samples(400), [], []
     for bfloat16 in (False, True):
@@ -64,7 +64,7 @@ def test_feature_network_in_bfloat16_is_near_that_in_float32() -> None:
         assert (actual - exact).norm() / exact.norm() < 0.1
 
 
-def test_muon_takes_its_matrices() -> None:
+def test_muon_takes_its_matrices():
     chosen = with_our_optimizer(nrhints("surface")).preset
     model = NetworkAsset(chosen.model, BOUNDS)
     matrices = muon_matrices(model, chosen.training)

@@ -1,8 +1,6 @@
 """`rna-bench frontier` from a dataset to its chart, on a tiny grid."""
 
 import json
-from collections.abc import Iterator
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,7 +14,6 @@ from rna_bench.frontier.frontier_chart import draw
 from rna_bench.frontier.trials.grid import full_grid
 from rna_bench.frontier.trials.trial import Trial
 from rna_bench.frontier.trials.trial_pool import TrialWorkers
-from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_work.threads import Threads
 from tests.exporters.synthetic import make_dataset, tiny
 from tests.frontier.hurried import hurried_trials
@@ -37,18 +34,18 @@ def grid(kind: str, steps: int) -> list[Trial]:
 
 
 @pytest.fixture(scope="module", autouse=True)
-def hurried() -> Iterator[None]:
+def hurried():
     with hurried_trials():
         yield
 
 
 @pytest.fixture(scope="module")
-def dataset(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
+def dataset(tmp_path_factory):
     return make_dataset(tmp_path_factory.mktemp("data") / "ball.rays")
 
 
 @pytest.fixture(scope="module")
-def out(dataset: Dataset, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def out(dataset, tmp_path_factory):
     """The folder of a finished study, whose worker is in this process: as `hurried` as it."""
     folder = tmp_path_factory.mktemp("study")
     with pytest.MonkeyPatch.context() as patched:
@@ -59,7 +56,7 @@ def out(dataset: Dataset, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-def test_json_has_cost_and_error_of_every_model(out: Path) -> None:
+def test_json_has_cost_and_error_of_every_model(out):
     report = json.loads((out / "frontier.json").read_text())
     assert {p["name"] for p in report["points"]} == {"ours", "paper-small", "paper-inputs"}
     for point in report["points"]:
@@ -73,9 +70,7 @@ def test_json_has_cost_and_error_of_every_model(out: Path) -> None:
         assert np.asarray(sheet.convert("L")).std() > 30.0
 
 
-def test_finished_study_trains_nothing_again(
-    out: Path, dataset: Dataset, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_finished_study_trains_nothing_again(out, dataset, monkeypatch):
     monkeypatch.setattr(study_module, "short_grid", grid)
     monkeypatch.setattr(study_module, "TrialPool", None)
     before = (out / "costs.json").read_bytes()
@@ -84,15 +79,13 @@ def test_finished_study_trains_nothing_again(
     assert (out / "costs.json").read_bytes() == before
 
 
-def test_unknown_trial_is_one_line(
-    out: Path, dataset: Dataset, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_unknown_trial_is_one_line(out, dataset, capsys):
     command = ["frontier", str(dataset.folder), "--out", str(out), "--short"]
     assert main([*command, "--trials", "w7"]) == 1
     assert "--trials: found w7; expected of ours, " in capsys.readouterr().err
 
 
-def test_trials_are_chosen_by_name_family_and_table() -> None:
+def test_trials_are_chosen_by_name_family_and_table():
     trials = full_grid("surface")
     tables = study_module._chosen(trials, ["architecture", "channels"])
     assert tables == study_module._chosen(trials, ["paper"]) and len(tables) == 13
@@ -106,7 +99,7 @@ def point(name: str, family: str, ns: float, psnr: float) -> dict[str, object]:
     return {**known, "precision": "float32-float16"}
 
 
-def test_chart_takes_short_and_long_trainings_of_one_asset(out: Path, tmp_path: Path) -> None:
+def test_chart_takes_short_and_long_trainings_of_one_asset(out, tmp_path):
     report = json.loads((out / "frontier.json").read_text())
     longer = {**report, "points": [{**p, "steps": 10 * p["steps"]} for p in report["points"]]}
     drawn = []
@@ -118,12 +111,12 @@ def test_chart_takes_short_and_long_trainings_of_one_asset(out: Path, tmp_path: 
     assert np.any(one != both)
 
 
-def test_last_tenth_is_what_a_training_still_wins() -> None:
+def test_last_tenth_is_what_a_training_still_wins():
     assert last_tenth([(50, 30.0), (90, 34.0), (95, 34.5), (100, 35.0)], 100) == 1.0
     assert last_tenth([(100, 35.0)], 100) is None
 
 
-def test_front_holds_what_none_beats_at_its_cost() -> None:
+def test_front_holds_what_none_beats_at_its_cost():
     points = [
         point("a", "ours", 10, 20.0),
         point("b", "ours", 20, 19.0),
@@ -133,7 +126,7 @@ def test_front_holds_what_none_beats_at_its_cost() -> None:
     assert [p["name"] for p in front(points, "ns")] == ["a", "c"]
 
 
-def test_findings_compare_with_the_papers_two() -> None:
+def test_findings_compare_with_the_papers_two():
     points = [
         point("cheap", "ours", 10, 30.0),
         point("middle", "ours", 40, 33.0),

@@ -23,7 +23,7 @@ def points_of(trials: list[Trial]) -> list[dict[str, object]]:
     ]
 
 
-def test_rows_are_the_papers_in_its_order() -> None:
+def test_rows_are_the_papers_in_its_order():
     architecture, channels, _ = paper_tables(points_of(full_grid("surface")))
     assert [row[0] for row in architecture["rows"]][:2] == ["4 x 16", "4 x 32"]
     assert [row[0] for row in architecture["rows"]][-1] == "4 x 1024"
@@ -34,7 +34,7 @@ def test_rows_are_the_papers_in_its_order() -> None:
     assert all(row[1].endswith(".00") for row in architecture["rows"])  # not those of int8
 
 
-def test_ablations_stand_below_the_model_that_they_change() -> None:
+def test_ablations_stand_below_the_model_that_they_change():
     for kind, names in (("surface", ("no-learned-normal",)), ("fiber", ("no-h",))):
         rows = [row[0] for row in paper_tables(points_of(full_grid(kind)))[2]["rows"]]
         planes = 256 if kind == "surface" else 32

@@ -1,7 +1,6 @@
 """A trial from training to record, and a grid of them in processes."""
 
 import shutil
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -13,8 +12,6 @@ from rna_bench.frontier.trials.trial_packages import TRIAL_PRECISIONS, USUAL
 from rna_bench.frontier.trials.trial_pool import TrialPool, TrialWorkers
 from rna_bench.frontier.trials.trial_record import read_record
 from rna_bench.frontier.trials.trial_run import run_trial
-from rna_export.capture.dataset.dataset_folder import Dataset
-from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.export.package_build import build_package
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.training_run import train
@@ -32,31 +29,29 @@ def trial(name: str = "tiny", **training: object) -> Trial:
 
 
 @pytest.fixture(scope="module", autouse=True)
-def hurried() -> Iterator[None]:
+def hurried():
     with hurried_trials():
         yield
 
 
 @pytest.fixture(scope="module")
-def dataset(tmp_path_factory: pytest.TempPathFactory) -> DatasetPart:
+def dataset(tmp_path_factory):
     return make_dataset(tmp_path_factory.mktemp("data") / "ball.rays")
 
 
 @pytest.fixture(scope="module")
-def two_parts(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
+def two_parts(tmp_path_factory):
     return hairy_ball(tmp_path_factory.mktemp("two") / "two.rays")
 
 
 @pytest.fixture(scope="module")
-def finished(dataset: DatasetPart, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def finished(dataset, tmp_path_factory):
     folder = tmp_path_factory.mktemp("trial")
     run_trial(trial(), dataset, folder, "cpu")
     return folder
 
 
-def test_record_is_what_the_exporter_says_of_the_package(
-    finished: Path, dataset: DatasetPart, tmp_path: Path
-) -> None:
+def test_record_is_what_the_exporter_says_of_the_package(finished, dataset, tmp_path):
     record = read_record(finished, trial(), dataset.manifest.source_sha256)
     assert record is not None and record.seconds > 0.0
     trained = load_checkpoint(finished / "best.ckpt")
@@ -76,7 +71,7 @@ def test_record_is_what_the_exporter_says_of_the_package(
 
 
 @pytest.mark.parametrize("part", ["surface", "hair"])
-def test_nrhints_is_trained_on_any_kind(part: str, two_parts: Dataset, tmp_path: Path) -> None:
+def test_nrhints_is_trained_on_any_kind(part, two_parts, tmp_path):
     dataset = two_parts.part(part)
     whole = nrhints(dataset.kind)
     short = whole.model_copy(update={"preset": whole.preset.with_training(steps=12, batch=128)})
@@ -85,16 +80,12 @@ def test_nrhints_is_trained_on_any_kind(part: str, two_parts: Dataset, tmp_path:
     assert point.bytes is None and point.scores.psnr > 0.0
 
 
-def test_finished_trial_is_not_trained_again(
-    finished: Path, dataset: DatasetPart, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_finished_trial_is_not_trained_again(finished, dataset, monkeypatch):
     monkeypatch.setattr(run_module, "train", None)
     assert run_trial(trial(), dataset, finished, "cpu").trial == trial()
 
 
-def test_training_that_ended_before_the_export_is_not_repeated(
-    dataset: DatasetPart, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_training_that_ended_before_the_export_is_not_repeated(dataset, tmp_path, monkeypatch):
     with monkeypatch.context() as broken:
         broken.setattr(run_module, "write_packages", None)
         with pytest.raises(TypeError):
@@ -104,8 +95,8 @@ def test_training_that_ended_before_the_export_is_not_repeated(
 
 
 def test_training_that_ended_before_its_time_was_written_is_repeated(
-    dataset: DatasetPart, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+    dataset, tmp_path, monkeypatch
+):
     def stopped(path: Path, _: bytes) -> None:
         raise KeyboardInterrupt(path)
 
@@ -119,9 +110,7 @@ def test_training_that_ended_before_its_time_was_written_is_repeated(
     assert len(trained) == 2  # nothing was left to do, then all of it
 
 
-def test_finished_trial_gets_a_precision_that_is_new(
-    finished: Path, dataset: DatasetPart, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_finished_trial_gets_a_precision_that_is_new(finished, dataset, tmp_path, monkeypatch):
     folder = tmp_path / "copy"
     shutil.copytree(finished, folder)
     record = read_record(folder, trial(), dataset.manifest.source_sha256)
@@ -133,14 +122,12 @@ def test_finished_trial_gets_a_precision_that_is_new(
     assert actual.seconds == record.seconds
 
 
-def test_folder_of_another_model_is_refused(finished: Path, dataset: DatasetPart) -> None:
+def test_folder_of_another_model_is_refused(finished, dataset):
     with pytest.raises(TrainingError, match="another model or dataset"):
         run_trial(trial(batch=256), dataset, finished, "cpu")
 
 
-def test_one_that_fails_is_named_after_the_others_are_done(
-    dataset: DatasetPart, tmp_path: Path
-) -> None:
+def test_one_that_fails_is_named_after_the_others_are_done(dataset, tmp_path):
     good, bad = trial("good"), trial("bad", learning_rate=float("nan"))
     with (
         TrialPool(dataset.folder, CPU) as pool,

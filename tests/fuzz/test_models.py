@@ -1,7 +1,5 @@
 """Some hostile models; `tests.fuzz.models` opens some 300."""
 
-from pathlib import Path
-
 import pytest
 
 from tests.fuzz.model_seeds import SCRIPTS, write_hostile, write_models
@@ -18,9 +16,7 @@ NAMED = {
 }
 
 
-def test_hostile_models_are_opened_or_refused_in_one_line(
-    blender_python: Path, tmp_path: Path
-) -> None:
+def test_hostile_models_are_opened_or_refused_in_one_line(blender_python, tmp_path):
     seeds = write_models(blender_python, tmp_path)
     paths = [path for path in write_hostile(tmp_path) if path.name in NAMED]
     assert len(paths) == len(NAMED)

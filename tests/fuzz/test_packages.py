@@ -2,7 +2,6 @@
 
 import shutil
 import subprocess
-from pathlib import Path
 
 import pytest
 
@@ -23,7 +22,7 @@ needs_node = pytest.mark.skipif(shutil.which("node") is None, reason="needs Node
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def folder(tmp_path_factory):
     """Folder of the C host's program, in which faults can be switched on."""
     folder = tmp_path_factory.mktemp("fuzz")
     try:
@@ -34,21 +33,21 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def seeds(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+def seeds(tmp_path_factory):
     return write_fuzz_packages(tmp_path_factory.mktemp("seeds"))
 
 
 @pytest.fixture(scope="module")
-def older(seeds: list[Path]) -> list[Path]:
+def older(seeds):
     """Those that the numbers of planted faults are of: all but the last, which has base colour."""
     return seeds[:-1]
 
 
-def test_mutations_are_the_same_by_number(seeds: list[Path]) -> None:
+def test_mutations_are_the_same_by_number(seeds):
     assert mutation(seeds, 35) == mutation(seeds, 35) != mutation(seeds, 35 + len(seeds))
 
 
-def test_damaged_packages_under_sanitizers(folder: Path, seeds: list[Path]) -> None:
+def test_damaged_packages_under_sanitizers(folder, seeds):
     tally = run_c_host(Mutations(seeds, 0, FUZZED), folder)
     assert tally.failures == []
     assert tally.accepted + tally.refused.total() == FUZZED
@@ -64,9 +63,7 @@ def test_damaged_packages_under_sanitizers(folder: Path, seeds: list[Path]) -> N
         ("an accessor past its view", 2250),
     ],
 )
-def test_planted_fault_of_the_c_host_is_found(
-    bug: str, first: int, folder: Path, older: list[Path], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_planted_fault_of_the_c_host_is_found(bug, first, folder, older, monkeypatch):
     """All are reads within the package, which only blocks of an entry's size show.
 
     first: some mutations before the first that shows it, since the search is not what is tested.
@@ -76,16 +73,14 @@ def test_planted_fault_of_the_c_host_is_found(
     assert "AddressSanitizer" in failure
 
 
-def test_python_reads_what_it_accepts(folder: Path, seeds: list[Path]) -> None:
+def test_python_reads_what_it_accepts(folder, seeds):
     tally = run_python(Mutations(seeds, 0, PYTHON_FUZZED), folder)
     assert tally.failures == []
     assert tally.accepted > PYTHON_FUZZED // 10 and len(tally.refused) > 20
     assert not tally.disagreements
 
 
-def test_fault_planted_in_the_validator_is_found(
-    folder: Path, older: list[Path], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_fault_planted_in_the_validator_is_found(folder, older, monkeypatch):
     """A texture that is shorter than its shape is let through, and then read."""
     monkeypatch.setattr(packages, "_verdicts_of_c_host", lambda *_: {})
     monkeypatch.setattr(validator._Contents, "check_textures", lambda *_: None)
@@ -93,7 +88,7 @@ def test_fault_planted_in_the_validator_is_found(
 
 
 @needs_node
-def test_viewer_reads_what_it_accepts(folder: Path, seeds: list[Path]) -> None:
+def test_viewer_reads_what_it_accepts(folder, seeds):
     tally = run_viewer(Mutations(seeds, 0, WEB_FUZZED), folder)
     assert tally.failures == []
     assert tally.accepted > WEB_FUZZED // 10 and len(tally.refused) > 20
@@ -108,9 +103,7 @@ def test_viewer_reads_what_it_accepts(folder: Path, seeds: list[Path]) -> None:
         ("a vertex that does not exist", 400),
     ],
 )
-def test_planted_fault_of_the_viewer_is_found(
-    bug: str, first: int, older: list[Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_planted_fault_of_the_viewer_is_found(bug, first, older, tmp_path, monkeypatch):
     reader = planted_web_reader(tmp_path, WEB_BUGS[bug])
     monkeypatch.setattr(packages, "WEB_READER", reader)
     assert run_viewer(Mutations(older, first, 80), tmp_path).failures

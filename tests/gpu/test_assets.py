@@ -1,15 +1,11 @@
 """Assets with holes, glass and emission, and queries outside their domain."""
 
 import re
-from collections.abc import Callable
 
 import numpy as np
 import pytest
 
-from rna_gpu import Device
-from rna_render.scene.scene_file import SceneFile
 from rna_render.world.domain_watch import DomainWarning, warn_of_extrapolation
-from rna_render.world.world import World
 from rna_sdk import runtime
 from rna_sdk.package import Cone, Domain
 from tests.conformance.conftest import KIT
@@ -72,18 +68,14 @@ max_depth: 2
 """
 
 
-def test_holes_glass_and_light_of_assets(
-    scene: Callable[..., tuple[SceneFile, World]], device: Device
-) -> None:
+def test_holes_glass_and_light_of_assets(scene, device):
     """A lantern with strands, cut-outs, coloured glass and two parts that emit, twice."""
     actual = on_gpu(*scene(LANTERN_ON_A_FLOOR), lambda: device).channels()
     expected = on_cpu(*scene(LANTERN_ON_A_FLOOR, seed=7)).channels()
     assert_same_law(actual, expected)
 
 
-def test_light_that_comes_through_an_asset(
-    scene: Callable[..., tuple[SceneFile, World]], device: Device
-) -> None:
+def test_light_that_comes_through_an_asset(scene, device):
     """On the lantern's own floor and on the ground: the sun alone, so that little noise is left."""
     text = LANTERN_IN_THE_SUN
     actual = on_gpu(*scene(text), lambda: device).channels()
@@ -93,17 +85,13 @@ def test_light_that_comes_through_an_asset(
 @pytest.mark.parametrize(
     "material", ["{type: diffuse, color: [0.7, 0.7, 0.7]}", "{type: shadow_catcher}"]
 )
-def test_an_asset_that_emits_is_sampled(
-    material: str, scene: Callable[..., tuple[SceneFile, World]], device: Device
-) -> None:
+def test_an_asset_that_emits_is_sampled(material, scene, device):
     text = GLOW_ON_A_FLOOR.replace("MATERIAL", material)
     actual = on_gpu(*scene(text), lambda: device).channels()
     assert_same_numbers(actual, on_cpu(*scene(text)).channels())
 
 
-def test_queries_outside_the_domain_are_counted(
-    scene: Callable[..., tuple[SceneFile, World]], device: Device, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_queries_outside_the_domain_are_counted(scene, device, monkeypatch):
     cones = (Cone(axis=(0, 0, 1), half_angle=0.4), Cone(axis=(0, 1, 0), half_angle=0.7))
 
     def narrow(*arguments: object, **more: object) -> runtime.Asset:

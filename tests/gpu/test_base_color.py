@@ -1,15 +1,10 @@
 """Base colour on the GPU: as a factor of transport, and looked up at hits."""
 
-from collections.abc import Callable
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 import rna_gpu
-from rna_gpu import Device, GpuSurface
-from rna_render.scene.scene_file import SceneFile
-from rna_render.world.world import World
+from rna_gpu import GpuSurface
 from rna_sdk import runtime
 from rna_sdk.errors import QueryError
 from tests.gpu.scenes import assert_same_numbers, on_cpu, on_gpu
@@ -18,7 +13,7 @@ from tests.package.prints import LABEL, STAMP, image_bytes, make_print
 
 
 @pytest.fixture(scope="module")
-def printed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def printed(tmp_path_factory):
     rng = np.random.default_rng(3)
     label = rng.integers(0, 256, (5, 12, 4)).astype(np.uint8)
     label[:2, :, 3] = 0
@@ -27,7 +22,7 @@ def printed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return make_print(tmp_path_factory.mktemp("printed") / "printed.rna", files)
 
 
-def test_results_of_two_decoders_that_stay_on_the_gpu(printed: Path, device: Device) -> None:
+def test_results_of_two_decoders_that_stay_on_the_gpu(printed, device):
     gpu = rna_gpu.load(printed, "hq", device)
     assert isinstance(gpu, GpuSurface)
     queries = rows(64, runtime.load(printed).bounds)
@@ -36,7 +31,7 @@ def test_results_of_two_decoders_that_stay_on_the_gpu(printed: Path, device: Dev
     assert np.array_equal(actual[..., :3], expected)
 
 
-def test_queries_without_a_base_color(printed: Path, device: Device) -> None:
+def test_queries_without_a_base_color(printed, device):
     gpu = rna_gpu.load(printed, device=device)
     assert isinstance(gpu, GpuSurface)
     *queries, _ = rows(4, runtime.load(printed).bounds)
@@ -64,9 +59,7 @@ max_depth: 2
 
 
 @pytest.mark.parametrize("tier", ["small", "hq"], ids=["one decoder", "two decoders"])
-def test_the_image_of_the_cpu(
-    scene: Callable[..., tuple[SceneFile, World]], device: Device, tmp_path: Path, tier: str
-) -> None:
+def test_the_image_of_the_cpu(scene, device, tmp_path, tier):
     """Fine print, another print and a tint, and light that bounces."""
     rng = np.random.default_rng(9)
     noise = [rng.integers(0, 256, (128, 128, 3)).astype(np.uint8) for _ in range(2)]

@@ -62,7 +62,7 @@ def traced(
     return device.read(hits, len(rays) * HIT.itemsize).view(HIT)
 
 
-def test_the_tree_holds_everything_once() -> None:
+def test_the_tree_holds_everything_once():
     rng = np.random.default_rng(0)
     low = rng.uniform(-1, 1, (1000, 3)) ** 3
     low[:300] = 0.25  # a heap in one place
@@ -88,7 +88,7 @@ def test_the_tree_holds_everything_once() -> None:
     assert sorted(seen) == list(range(1000))
 
 
-def test_hits_are_those_of_embree(device: Device) -> None:
+def test_hits_are_those_of_embree(device):
     toy, ball = runtime.load(TOY), runtime.load(BALL)
     assert isinstance(toy, runtime.SurfaceAsset) and isinstance(ball, runtime.FiberAsset)
     turn = np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]]) * 0.7
@@ -132,7 +132,7 @@ def test_hits_are_those_of_embree(device: Device) -> None:
     assert np.array_equal(any_hit["instance"] != 0xFFFFFFFF, hit)
 
 
-def test_hits_of_tapered_strands_are_placed_as_by_embree(device: Device) -> None:
+def test_hits_of_tapered_strands_are_placed_as_by_embree(device):
     """u belongs to the sphere that touches there, on cones whose radii change by half."""
     points = np.array([[0, 0, 0], [0, 0, 0.2], [0.1, 0.1, 0.3]], np.float32)
     curves = Curves(points, np.array([0.12, 0.02, 0.05], np.float32), np.array([0, 3], np.uint32))

@@ -1,12 +1,10 @@
 """`rna-run --device gpu`: stills, sequences, pieces of an image, and refusals."""
 
 from importlib.metadata import EntryPoint
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-from rna_gpu import Device
 from rna_render.command import rna_run as cli
 from rna_render.command.finished_pieces import Piece
 from rna_render.command.pieces import render_pieces
@@ -32,20 +30,20 @@ max_depth: 1
 
 
 @pytest.fixture(autouse=True)
-def offered(monkeypatch: pytest.MonkeyPatch) -> None:
+def offered(monkeypatch):
     gpu = EntryPoint("gpu", "rna_gpu.scene.rendering:GpuRenderer", devices.GROUP)
     broken = EntryPoint("tpu", "rna_tpu.rendering:Renderer", devices.GROUP)
     monkeypatch.setattr(devices, "entry_points", lambda group: [gpu, broken])
 
 
 @pytest.fixture
-def scene(tmp_path: Path) -> Path:
+def scene(tmp_path):
     path = tmp_path / "scene.yaml"
     path.write_text(SCENE)
     return path
 
 
-def test_a_still(scene: Path, device: Device, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_still(scene, device, monkeypatch):
     """With the image so far, and within a time."""
     written: list[int] = []
     monkeypatch.setattr(Output, "write_so_far", lambda _, scene, film: written.append(film.samples))
@@ -56,7 +54,7 @@ def test_a_still(scene: Path, device: Device, monkeypatch: pytest.MonkeyPatch) -
     assert out.is_file() and written == [1]
 
 
-def test_frames(scene: Path, device: Device, capsys: pytest.CaptureFixture[str]) -> None:
+def test_frames(scene, device, capsys):
     scene.write_text(SCENE + "animation: {frames: 4, turntable: {degrees: 90}}\n")
     out = scene.parent / "frame.%d.exr"
     usual = [str(scene), "--out", str(out), "--device", "gpu", "--frames", "0-1"]
@@ -68,7 +66,7 @@ def test_frames(scene: Path, device: Device, capsys: pytest.CaptureFixture[str])
     assert capsys.readouterr().out.count("is there already") == 2
 
 
-def test_pieces_are_the_whole_and_are_kept(scene: Path, device: Device) -> None:
+def test_pieces_are_the_whole_and_are_kept(scene, device):
     scene_file = read_scene(scene)
     folder = scene.parent / "pieces"
     film, finished = render_pieces(scene_file, this_machine(), 1, folder, "gpu")
@@ -82,7 +80,7 @@ def test_pieces_are_the_whole_and_are_kept(scene: Path, device: Device) -> None:
     assert [piece for piece, _ in finished.saved()] == []
 
 
-def test_machines_of_a_cluster_that_have_a_gpu(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_machines_of_a_cluster_that_have_a_gpu(monkeypatch):
     nodes = [{"Resources": {"CPU": 8.0}}, {"Resources": {"CPU": 16.0, "GPU": 2.0}}]
     monkeypatch.setattr(cluster, "alive_nodes", lambda: nodes)
     workers, threads = cluster.RayCluster().whole_machines(None, needs_gpu=True)
@@ -93,7 +91,7 @@ def test_machines_of_a_cluster_that_have_a_gpu(monkeypatch: pytest.MonkeyPatch) 
         cluster.RayCluster().whole_machines(None, needs_gpu=True)
 
 
-def test_what_is_refused(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_is_refused(scene, capsys):
     usual = [str(scene), "--out", str(scene.parent / "out.exr")]
     assert cli.main([*usual, "--device", "moon"]) == 1
     assert "--device moon: no such device; there are: cpu, gpu, tpu" in capsys.readouterr().err

@@ -83,7 +83,7 @@ def by_numpy(kind: str, values: np.ndarray, rows: dict[str, np.ndarray]) -> tupl
 
 @pytest.mark.parametrize("with_visibility", [True, False], ids=["told", "untold"])
 @pytest.mark.parametrize("kind", list(ASSETS))
-def test_lobes(kind: str, with_visibility: bool, device: Device) -> None:
+def test_lobes(kind, with_visibility, device):
     package = Package.open(ASSETS[kind])
     tier, part = package.manifest.tiers[0], package.manifest.tiers[0].parts[0]
     bounds, planes = package.manifest.parts[0].bounds, package.planes(tier.name)

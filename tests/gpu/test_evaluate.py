@@ -33,7 +33,7 @@ def rows(count: int, bounds: np.ndarray) -> list[np.ndarray]:
     return [a.astype(np.float32) for a in rows]
 
 
-def test_the_conformance_kit(device: Device) -> None:
+def test_the_conformance_kit(device):
     kit: Kit = load_kit(KIT)
     of_gpu = conformance_reader
     reader = InProcess(
@@ -50,9 +50,7 @@ def test_the_conformance_kit(device: Device) -> None:
     assert [score for score in scores if not score.passed] == []
 
 
-def test_results_do_not_depend_on_the_batch(
-    device: Device, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_results_do_not_depend_on_the_batch(device, monkeypatch):
     gpu = rna_gpu.load(TOY, device=device)
     assert isinstance(gpu, GpuSurface)
     whole = np.hstack(gpu.evaluate(*rows(1000, runtime.load(TOY).bounds)))
@@ -62,7 +60,7 @@ def test_results_do_not_depend_on_the_batch(
     assert none[0].shape == (0, 3)
 
 
-def test_a_carrier_has_the_same_bits(device: Device, tmp_path: Path) -> None:
+def test_a_carrier_has_the_same_bits(device, tmp_path):
     package = make_tiny_package(tmp_path / "tiny.rna")
     carrier = make_carrier(package, tmp_path / "tiny.glb")
     queries = rows(256, runtime.load(package).bounds)
@@ -85,7 +83,7 @@ def evaluated_on_gpu(device: Device, gpu: GpuSurface, queries: list[np.ndarray],
     return device.read(on_gpu.results, 128 * 32).view(np.float32).reshape(128, 2, 4)
 
 
-def test_results_that_stay_on_the_gpu(device: Device) -> None:
+def test_results_that_stay_on_the_gpu(device):
     gpu = rna_gpu.load(TOY, device=device)
     assert isinstance(gpu, GpuSurface)
     queries = rows(100, runtime.load(TOY).bounds)
@@ -96,9 +94,7 @@ def test_results_that_stay_on_the_gpu(device: Device) -> None:
 
 
 @pytest.mark.parametrize(("queries_per_second", "times"), [(1e6, 1), (1e7, 1), (2e7, 2), (1e9, 4)])
-def test_dispatches_grow_until_they_take_20_ms(
-    device: Device, monkeypatch: pytest.MonkeyPatch, queries_per_second: float, times: int
-) -> None:
+def test_dispatches_grow_until_they_take_20_ms(device, monkeypatch, queries_per_second, times):
     gpu = rna_gpu.load(TOY, device=device)
     assert isinstance(gpu, GpuSurface)
     transport = gpu.transport[0]
@@ -110,7 +106,7 @@ def test_dispatches_grow_until_they_take_20_ms(
     assert transport.short(100) == 100
 
 
-def test_one_line_says_what_is_wrong(device: Device) -> None:
+def test_one_line_says_what_is_wrong(device):
     gpu = rna_gpu.load(TOY, device=device)
     assert isinstance(gpu, GpuSurface)
     x, n, wo, wi, color = rows(4, np.array([[0, 0, 0], [1, 1, 1]]))
@@ -122,7 +118,7 @@ def test_one_line_says_what_is_wrong(device: Device) -> None:
         device.buffer(1 << 40, "STORAGE", what="planes")
 
 
-def test_a_decoder_that_is_too_large() -> None:
+def test_a_decoder_that_is_too_large():
     def layer(inputs: int, outputs: int) -> ProfileLayer:
         weight = np.zeros((inputs, outputs), np.int8)
         return ProfileLayer(weight, np.zeros(outputs), 1.0, np.ones(outputs, np.float32), False)
@@ -136,7 +132,7 @@ def test_a_decoder_that_is_too_large() -> None:
         pack_decoder(decoder(*[layer(8, 8)] * 33), ("features",), 8, "toy")
 
 
-def test_the_shaders_are_composed_of_whole_files() -> None:
+def test_the_shaders_are_composed_of_whole_files():
     folder = Path(rna_gpu.__file__).parent / "wgsl"
     source = compose({"RNA_GROUPS": 16}, "weights_uniform.wgsl", "surface")
     assert source.startswith("const RNA_GROUPS: u32 = 16u;\n")

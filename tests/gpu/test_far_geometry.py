@@ -15,7 +15,7 @@ def picture(device: Device, folder: Path, **arguments: object) -> dict[str, np.n
     return on_gpu(file, load_world(file), lambda: device).channels()
 
 
-def test_a_picture_is_the_same_at_any_scale(device: Device, tmp_path: Path) -> None:
+def test_a_picture_is_the_same_at_any_scale(device, tmp_path):
     expected = picture(device, tmp_path)
     for arguments in VARIANTS.values():
         assert_same_picture(picture(device, tmp_path, **arguments), expected)

@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rna_gpu import Device
 from rna_render.materials import Material, MeshObject
 from rna_render.scene.scene_file import SceneFile
 from rna_render.world.world import World
@@ -53,7 +52,7 @@ def in_a_row(
     return of_objects(objects, lights, **usual | more)
 
 
-def test_coats_and_relief(device: Device) -> None:
+def test_coats_and_relief(device):
     coat = {"coat_f0": 0.04, "roughness": 0.5}
     scene = in_a_row(
         [
@@ -86,7 +85,7 @@ def test_coats_and_relief(device: Device) -> None:
     assert_same_numbers(actual, on_cpu(*scene).channels())
 
 
-def test_textures_that_are_moved_and_wrapped(device: Device) -> None:
+def test_textures_that_are_moved_and_wrapped(device):
     def material(**more: object) -> Material:
         return Material(base_color_texture=texture(7, is_srgb=True, **more))
 
@@ -100,7 +99,7 @@ def test_textures_that_are_moved_and_wrapped(device: Device) -> None:
     assert_same_numbers(actual, on_cpu(*scene).channels())
 
 
-def test_objects_that_emit_light(device: Device) -> None:
+def test_objects_that_emit_light(device):
     """They are sampled, as their small textured spots need, and met by rays."""
     glow = {"base_color": (0.2, 0.2, 0.2), "emission_texture": texture(8, uv_set=1)}
     shining = made(Material(**glow, emission=(4, 3, 2)), Material(), Material())
@@ -127,7 +126,7 @@ def through(kind: str) -> list:
 
 
 @pytest.mark.parametrize("kind", ["coverage", "glass"])
-def test_what_lets_light_through(kind: str, device: Device) -> None:
+def test_what_lets_light_through(kind, device):
     """Rays pass at random, by numbers of their own; shadows are weakened."""
     scene, world = in_a_row(through(kind), behind=True, samples=16)
     actual = on_gpu(scene, world, lambda: device).channels()
@@ -147,7 +146,7 @@ def on_a_floor(pane: MeshObject, lights: tuple = (SUN,), **more: object) -> tupl
 
 
 @pytest.mark.parametrize("kind", ["coverage", "glass"])
-def test_shadows_of_what_lets_light_through(kind: str, device: Device) -> None:
+def test_shadows_of_what_lets_light_through(kind, device):
     """Nothing is at random here."""
     above = SUN | {"direction": (0.1, 1.0, 0.3)}
     for pane in through(kind):
@@ -158,7 +157,7 @@ def test_shadows_of_what_lets_light_through(kind: str, device: Device) -> None:
         assert np.unique(expected["R"].round(1)).size > 3
 
 
-def test_what_shines_in_part_lights_in_part(device: Device) -> None:
+def test_what_shines_in_part_lights_in_part(device):
     half = made(Material(opacity=0.5, emission=(3, 2, 1), base_color=(0, 0, 0)))
     scene, world = on_a_floor(half, (), samples=32)
     actual = on_gpu(scene, world, lambda: device).channels()

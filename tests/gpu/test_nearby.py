@@ -1,7 +1,5 @@
 """Nearby light on the GPU: the columns of the CPU, and pictures of packages that count it."""
 
-from collections.abc import Callable
-
 import numpy as np
 import pytest
 
@@ -11,9 +9,7 @@ from rna_gpu.records.scene import PATH
 from rna_gpu.scene.probe import Probe
 from rna_gpu.shaders import compose
 from rna_render.paths.sampling import BRANCHES
-from rna_render.scene.scene_file import SceneFile
 from rna_render.world.bodies import make_body
-from rna_render.world.world import World
 from rna_sdk import runtime
 from rna_sdk.errors import QueryError
 from rna_trace import PartsScene, nearby_light
@@ -98,11 +94,11 @@ class Columns:
 
 
 @pytest.fixture(scope="module")
-def columns(device: Device) -> Columns:
+def columns(device):
     return Columns(device)
 
 
-def test_a_column_is_that_of_the_cpu(columns: Columns) -> None:
+def test_a_column_is_that_of_the_cpu(columns):
     """Through holes and panes, onto strands, of lights far away and inside of the lantern."""
     n = 3000
     x, wi = columns.points(n)
@@ -115,7 +111,7 @@ def test_a_column_is_that_of_the_cpu(columns: Columns) -> None:
         assert same.mean() > 0.998
 
 
-def test_columns_one_by_one_have_the_mean_of_many(columns: Columns) -> None:
+def test_columns_one_by_one_have_the_mean_of_many(columns):
     points, rays = 12, 4000
     x, wi = columns.points(points)
     expected = nearby_light(columns.scene, LENGTHS, x, wi, rays, seed=3)
@@ -126,9 +122,7 @@ def test_columns_one_by_one_have_the_mean_of_many(columns: Columns) -> None:
     assert (expected.std(axis=0) > 0.05).all()
 
 
-def test_the_picture_is_that_of_the_cpu(
-    scene: Callable[..., tuple[SceneFile, World]], device: Device, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_the_picture_is_that_of_the_cpu(scene, device, monkeypatch):
     monkeypatch.setattr("rna_render.paths.integrator.STRAND_BRANCHES", BRANCHES)
     scene_file, world = scene(GLOWING)
     actual = on_gpu(scene_file, world, lambda: device).channels()
@@ -136,7 +130,7 @@ def test_the_picture_is_that_of_the_cpu(
 
 
 @pytest.mark.parametrize("tier", ["one", "print"])
-def test_queries_have_the_means_of_the_part_without_it(tier: str, device: Device) -> None:
+def test_queries_have_the_means_of_the_part_without_it(tier, device):
     gpu, cpu = rna_gpu.load(SURFACE, tier, device), runtime.load(SURFACE, tier)
     assert gpu.nearby_lengths == cpu.nearby_lengths
     queries = rows(200, cpu.bounds)

@@ -23,7 +23,7 @@ OUTER = Record(
 )
 
 
-def test_members_are_aligned_as_in_wgsl() -> None:
+def test_members_are_aligned_as_in_wgsl():
     """WGSL, section 14.4.1: vec2f at multiples of 8 bytes, vec3f and arrays at multiples of 16."""
     places = {"first": 0, "pair": 8, "vector": 16, "inner": 32, "rows": 48, "many": 80}
     assert OUTER.offsets == places and OUTER.dtype.itemsize == 112
@@ -36,7 +36,7 @@ def test_members_are_aligned_as_in_wgsl() -> None:
         Record("Bad", Field("first", "<u4"), Field("inner", Record("Two", Field("a", "<u4"))))
 
 
-def test_accessors_read_the_members() -> None:
+def test_accessors_read_the_members():
     record = Record(
         "Row", Field("flags", "<u4"), Field("half", "<f4", (2,)), Field("numbers", "<u4", (2, 4))
     )
@@ -49,7 +49,7 @@ def test_accessors_read_the_members() -> None:
     )
 
 
-def test_a_row_has_every_array_of_queries() -> None:
+def test_a_row_has_every_array_of_queries():
     """Directions begin at vec4s, which `rna_evaluate` documents; a new array needs a member."""
     assert part.ROW.dtype.itemsize == 80 and part.ROW.offsets["wi"] == 48
     assert part.ROW.offsets[NEARBY.name] == 64
@@ -61,7 +61,7 @@ def test_a_row_has_every_array_of_queries() -> None:
             assert part.ROW.dtype[array.name].shape == shape
 
 
-def test_records_are_stacked() -> None:
+def test_records_are_stacked():
     row = np.zeros((), OUTER.dtype)
     row["many"]["b"] = 3, 4
     stacked = OUTER.stacked([row, row])
@@ -70,7 +70,7 @@ def test_records_are_stacked() -> None:
     assert OUTER.stacked([]).shape == (0,)
 
 
-def test_a_part_has_a_slot_for_any_number_of_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_part_has_a_slot_for_any_number_of_blocks(monkeypatch):
     """A thirteenth block takes a fourth vec4 of slots, and nothing else."""
     try:
         with monkeypatch.context() as changed:

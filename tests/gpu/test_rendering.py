@@ -1,8 +1,5 @@
 """The GPU renders what the CPU renders; and what it does about losses and limits."""
 
-from collections.abc import Callable
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -10,8 +7,6 @@ from rna_gpu import Device, open_device
 from rna_gpu.scene import rendering
 from rna_render.image.film import Layers
 from rna_render.paths.sampling import BRANCHES
-from rna_render.scene.scene_file import SceneFile
-from rna_render.world.world import World
 from tests.gpu.scenes import assert_same_law, assert_same_numbers, on_cpu, on_gpu
 from tests.render.whole_scenes import EVERYTHING, GLOW, RELIEF, TOY, UNDER_A_SKY, write_files
 from tests.web.glass_files import write_ball
@@ -47,12 +42,12 @@ max_depth: 2
 
 @pytest.mark.parametrize("text", [EVERYTHING, RELIEF, GLOW], ids=["everything", "relief", "glow"])
 def test_the_image_of_the_cpu_with_the_same_numbers(
-    text: str,
-    scene: Callable[..., tuple[SceneFile, World]],
-    device: Device,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+    text,
+    scene,
+    device,
+    tmp_path,
+    monkeypatch,
+):
     # The GPU has as many rays from strands as from surfaces.
     monkeypatch.setattr("rna_render.paths.integrator.STRAND_BRANCHES", BRANCHES)
     write_files(tmp_path)
@@ -61,9 +56,7 @@ def test_the_image_of_the_cpu_with_the_same_numbers(
     assert_same_numbers(actual, on_cpu(scene_file, world).channels())
 
 
-def test_solid_glass_before_and_about_an_asset(
-    scene: Callable[..., tuple[SceneFile, World]], device: Device, tmp_path: Path
-) -> None:
+def test_solid_glass_before_and_about_an_asset(scene, device, tmp_path):
     write_files(tmp_path)
     write_ball(tmp_path / "ball.glb", radius=0.6)
     scene_file, world = scene(GLASS)
@@ -71,9 +64,7 @@ def test_solid_glass_before_and_about_an_asset(
     assert_same_numbers(actual, on_cpu(scene_file, world).channels())
 
 
-def test_a_lens_blurs_as_on_the_cpu(
-    scene: Callable[..., tuple[SceneFile, World]], device: Device, tmp_path: Path
-) -> None:
+def test_a_lens_blurs_as_on_the_cpu(scene, device, tmp_path):
     """The same numbers choose the place on the lens: an asset in focus, another that is not."""
     write_files(tmp_path)
     scene_file, world = scene(LENS.replace(" LENS", ", aperture: 0.3, focus: 1.7"))
@@ -84,9 +75,7 @@ def test_a_lens_blurs_as_on_the_cpu(
         assert_same_numbers(actual, pinhole)
 
 
-def test_without_an_aperture_no_bit_changes(
-    scene: Callable[..., tuple[SceneFile, World]], device: Device
-) -> None:
+def test_without_an_aperture_no_bit_changes(scene, device):
     expected = on_gpu(*scene(LENS.replace(" LENS", "")), lambda: device).channels()
     closed = LENS.replace(" LENS", ", aperture: 0, focus: 1")
     actual = on_gpu(*scene(closed), lambda: device).channels()
@@ -94,9 +83,7 @@ def test_without_an_aperture_no_bit_changes(
         np.testing.assert_array_equal(actual[name], plane, err_msg=name)
 
 
-def test_the_image_of_the_cpu_with_other_numbers(
-    scene: Callable[..., tuple[SceneFile, World]], device: Device, tmp_path: Path
-) -> None:
+def test_the_image_of_the_cpu_with_other_numbers(scene, device, tmp_path):
     write_files(tmp_path)
     actual = on_gpu(*scene(UNDER_A_SKY), lambda: device).channels()
     expected = on_cpu(*scene(UNDER_A_SKY, seed=7)).channels()
@@ -105,12 +92,12 @@ def test_the_image_of_the_cpu_with_other_numbers(
 
 @pytest.mark.parametrize("text", [EVERYTHING, GLOW], ids=["everything", "glow"])
 def test_samples_that_are_rendered_together(
-    text: str,
-    scene: Callable[..., tuple[SceneFile, World]],
-    device: Device,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+    text,
+    scene,
+    device,
+    tmp_path,
+    monkeypatch,
+):
     write_files(tmp_path)
     scene_file, world = scene(text, resolution=(24, 16), samples=7)
     alone = on_gpu(scene_file, world, lambda: device).channels()
@@ -122,10 +109,10 @@ def test_samples_that_are_rendered_together(
 
 
 def test_a_lost_device_is_replaced(
-    scene: Callable[..., tuple[SceneFile, World]],
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+    scene,
+    capsys,
+    monkeypatch,
+):
     scene_file, world = scene(GLOW, resolution=(16, 12), samples=3)
     opened: list[Device] = []
     samples: list[range] = []
@@ -154,9 +141,7 @@ def test_a_lost_device_is_replaced(
     assert np.array_equal(actual.channels()["R"], undisturbed.channels()["R"])
 
 
-def test_a_device_that_stays_lost(
-    scene: Callable[..., tuple[SceneFile, World]], device: Device, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_device_that_stays_lost(scene, device, monkeypatch):
     def lost(*arguments: object) -> None:
         raise rendering.DeviceLostError("llvmpipe: Parent device is lost")
 

@@ -1,11 +1,8 @@
 """Directions for rays that leave assets, in WGSL: they follow their densities, those of rna-run."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
-from rna_gpu import Device
 from rna_gpu.records.tables import lobe_fields
 from rna_gpu.scene.scene_images import Images
 from rna_gpu.scene.scene_surfaces import Surfaces
@@ -59,7 +56,7 @@ FILES = "render/directions.wgsl", "render/ggx.wgsl", "render/lobes.wgsl"
 
 
 @pytest.mark.parametrize("name", MIXTURES)
-def test_directions_follow_their_density(name: str, device: Device) -> None:
+def test_directions_follow_their_density(name, device):
     mixture = MIXTURES[name]
     is_fiber = bool(mixture.cone or mixture.forward)
     pipeline = device.pipeline(compose({"IS_FIBER": int(is_fiber)}, *FILES) + KERNEL, "sampled")
@@ -100,7 +97,7 @@ def test_directions_follow_their_density(name: str, device: Device) -> None:
         )
 
 
-def test_triangles_have_the_lobes_of_their_mixture(tmp_path: Path) -> None:
+def test_triangles_have_the_lobes_of_their_mixture(tmp_path):
     package = Unpacked.read(make_tiny_package(tmp_path / "tiny.rna"))
     mixtures = MIXTURES["cosine"], MIXTURES["mirror"].model_copy(update={"first": 2})
     package.with_extension(Sampling(parts=(mixtures,)), {}).write(tmp_path / "tiny.rna")

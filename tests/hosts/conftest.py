@@ -1,14 +1,12 @@
 """The C host, compiled once for all its tests."""
 
-from pathlib import Path
-
 import pytest
 
 from tests.hosts.c_host import build
 
 
 @pytest.fixture(scope="session")
-def programs(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+def programs(tmp_path_factory):
     """The host's programs by name, for any CPU of this kind."""
     names = ("librna.so", "conform", "render")
     paths = build(tmp_path_factory.mktemp("c-host"), *names, arch="")
@@ -16,5 +14,5 @@ def programs(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
 
 
 @pytest.fixture(scope="session")
-def library(programs: dict[str, Path]) -> Path:
+def library(programs):
     return programs["librna.so"]

@@ -22,7 +22,7 @@ OK, BAD_ARGUMENT = 0, 1
 
 
 @pytest.fixture(scope="module")
-def printed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def printed(tmp_path_factory):
     return make_print(tmp_path_factory.mktemp("print") / "print.rna")
 
 
@@ -31,7 +31,7 @@ def records_of(package: Path) -> list[BaseColor]:
         return opened.base_color()
 
 
-def test_the_host_sets_images_and_they_are_looked_up(printed: Path, library: Path) -> None:
+def test_the_host_sets_images_and_they_are_looked_up(printed, library):
     records = records_of(printed)
     rng = np.random.default_rng(3)
     triangle = np.arange(200) % 4
@@ -58,7 +58,7 @@ def test_the_host_sets_images_and_they_are_looked_up(printed: Path, library: Pat
     np.testing.assert_allclose(actual[level == 0], expected[level == 0], atol=1e-6)
 
 
-def test_the_record_has_the_file_and_its_size(printed: Path, library: Path) -> None:
+def test_the_record_has_the_file_and_its_size(printed, library):
     label = make_images()[LABEL]
     with closing(CAsset(library, printed, "small")) as asset:
         assert asset.record.base_color_count == 3
@@ -97,7 +97,7 @@ int main(int argc, char **argv) {
 
 
 @pytest.fixture(scope="module")
-def png_reader(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def png_reader(tmp_path_factory):
     """A program that writes the pixels of a PNG; under sanitizers."""
     folder = tmp_path_factory.mktemp("png")
     (folder / "probe.c").write_text(PROBE)
@@ -116,7 +116,7 @@ def read_png(program: Path, data: bytes, width: int, height: int) -> tuple[int, 
     return done.returncode, done.stdout
 
 
-def test_the_programs_read_png(png_reader: Path) -> None:
+def test_the_programs_read_png(png_reader):
     rng = np.random.default_rng(2)
     noise = rng.integers(0, 256, (9, 31, 3)).astype(np.uint8)
     smooth = np.cumsum(np.ones((40, 50, 3), np.uint8) * (1, 2, 5), axis=1).astype(np.uint8)
@@ -140,7 +140,7 @@ def test_the_programs_read_png(png_reader: Path) -> None:
         assert read_png(png_reader, data, width + 1, height)[0] == 1
 
 
-def test_damaged_png_harms_no_program(png_reader: Path) -> None:
+def test_damaged_png_harms_no_program(png_reader):
     rng = np.random.default_rng(4)
     noise = rng.integers(0, 40, (12, 17, 3)).astype(np.uint8)
     good, refused = image_bytes(noise), 0
@@ -154,7 +154,7 @@ def test_damaged_png_harms_no_program(png_reader: Path) -> None:
     assert refused > 10
 
 
-def test_the_renderer_shows_the_print(programs: dict[str, Path], tmp_path: Path) -> None:
+def test_the_renderer_shows_the_print(programs, tmp_path):
     """JPEG stays white, with a line that says so; the label is in the picture."""
     pictures = {}
     for name, uses in (("print", True), ("plain", None)):

@@ -1,7 +1,5 @@
 """The C host opens packages in .glb files, and refuses what the SDK refuses, by the same codes."""
 
-from pathlib import Path
-
 import pytest
 
 from rna_sdk.package import validate
@@ -15,18 +13,16 @@ pytestmark = pytest.mark.skipif(compiler() is None, reason="needs cc and make")
 
 
 @pytest.fixture(scope="module")
-def tiny(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def tiny(tmp_path_factory):
     return make_tiny_package(tmp_path_factory.mktemp("c-carrier") / "tiny.rna")
 
 
 @pytest.fixture(scope="module")
-def carrier(tiny: Path) -> Path:
+def carrier(tiny):
     return make_carrier(tiny, tiny.with_suffix(".glb"))
 
 
-def test_answers_and_pictures_have_the_same_bits(
-    programs: dict[str, Path], tiny: Path, carrier: Path, tmp_path: Path
-) -> None:
+def test_answers_and_pictures_have_the_same_bits(programs, tiny, carrier, tmp_path):
     one, other = (CAsset(programs["librna.so"], path, "small") for path in (tiny, carrier))
     rows = random_rows("surface", load(tiny).bounds, 500)
     for a, b in zip(one.evaluate(*rows), other.evaluate(*rows), strict=True):
@@ -40,9 +36,7 @@ def test_answers_and_pictures_have_the_same_bits(
     assert pictures[0].read_bytes() == pictures[1].read_bytes()
 
 
-def test_broken_carriers_have_the_codes_of_the_sdk(
-    programs: dict[str, Path], carrier: Path, tmp_path: Path
-) -> None:
+def test_broken_carriers_have_the_codes_of_the_sdk(programs, carrier, tmp_path):
     document, blob = opened(carrier)
     paths = [written(document, blob, tmp_path / "unaligned.glb", 1)]
     paths += [changed(carrier, tmp_path / f"{n}.glb", CHANGES[n][1]) for n in CHANGES]

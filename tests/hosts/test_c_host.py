@@ -53,11 +53,11 @@ def differences(library: Path, package: Path, tier: str) -> np.ndarray:
 
 
 @pytest.mark.parametrize("package", [TOY, CURLS], ids=["toy", "curls"])
-def test_shipped_assets_mean_the_same(package: Path, programs: dict[str, Path]) -> None:
+def test_shipped_assets_mean_the_same(package, programs):
     assert differences(programs["librna.so"], package, "small").max() < TOLERANCE
 
 
-def test_int8_sums_of_a_wide_layer_are_exact(programs: dict[str, Path], tmp_path: Path) -> None:
+def test_int8_sums_of_a_wide_layer_are_exact(programs, tmp_path):
     """Sums beyond what float32 holds, of which the bias leaves a few steps."""
     tier = make_profile_tier("wide", "surface", decoder_precision="int8")
     columns, wide, unit = tier.parts[0].query_width, 1100, np.float32(0.25)
@@ -81,7 +81,7 @@ def test_int8_sums_of_a_wide_layer_are_exact(programs: dict[str, Path], tmp_path
     np.testing.assert_allclose(np.concatenate(actual, axis=1), expected, rtol=1e-5)
 
 
-def test_a_row_means_the_same_in_any_batch(programs: dict[str, Path]) -> None:
+def test_a_row_means_the_same_in_any_batch(programs):
     asset = CAsset(programs["librna.so"], TOY, "small")
     rows = random_rows("surface", np.float32([[0, 0, -0.4], [0.8, 0.4, 0.1]]), 200)
     whole = np.concatenate(asset.evaluate(*rows), axis=1)
@@ -94,9 +94,7 @@ def test_a_row_means_the_same_in_any_batch(programs: dict[str, Path]) -> None:
 
 @pytest.mark.parametrize("precision", ["float32", "int8"])
 @pytest.mark.parametrize("number", [np.nan, np.inf])
-def test_constants_that_are_not_finite_are_refused(
-    number: float, precision: str, programs: dict[str, Path], tmp_path: Path
-) -> None:
+def test_constants_that_are_not_finite_are_refused(number, precision, programs, tmp_path):
     """Every one, also where a later Clip or QuantizeLinear hides it."""
     package = tmp_path / "broken.rna"
     tier = make_profile_tier("small", "surface", decoder_precision=precision)
@@ -107,7 +105,7 @@ def test_constants_that_are_not_finite_are_refused(
         assert (validated.returncode, validated.stdout.split()) == (1, ["DECODER_RESULT"])
 
 
-def test_pipes_and_devices_are_refused(programs: dict[str, Path], tmp_path: Path) -> None:
+def test_pipes_and_devices_are_refused(programs, tmp_path):
     """To open a pipe would wait for a writer."""
     os.mkfifo(tmp_path / "pipe.rna")
     for path in (tmp_path / "pipe.rna", "/dev/zero", tmp_path):
@@ -119,9 +117,7 @@ def run(*command: object) -> subprocess.CompletedProcess[str]:
     return subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=60)
 
 
-def test_error_by_height_and_domain_are_those_of_the_runtime(
-    programs: dict[str, Path], tmp_path: Path
-) -> None:
+def test_error_by_height_and_domain_are_those_of_the_runtime(programs, tmp_path):
     rna = ctypes.CDLL(str(programs["librna.so"]))
     rna.rna_open.restype, rna.rna_flip_at.restype = ctypes.c_void_p, ctypes.c_double
     rna.rna_in_domain.restype = ctypes.c_bool
@@ -144,7 +140,7 @@ def test_error_by_height_and_domain_are_those_of_the_runtime(
         rna.rna_close(asset)
 
 
-def test_null_and_nan_are_answered(programs: dict[str, Path]) -> None:
+def test_null_and_nan_are_answered(programs):
     """No report, no path, no asset, and coordinates that are not numbers."""
     rna = ctypes.CDLL(str(programs["librna.so"]))
     for name in ("rna_open", "rna_open_memory", "rna_part", "rna_tier"):
@@ -167,7 +163,7 @@ def test_null_and_nan_are_answered(programs: dict[str, Path]) -> None:
     rna.rna_close(None)
 
 
-def test_data_of_extensions_are_as_in_the_file(programs: dict[str, Path]) -> None:
+def test_data_of_extensions_are_as_in_the_file(programs):
     """The text of the JSON, and the bytes of an entry; NULL for missing ones."""
     rna, size = ctypes.CDLL(str(programs["librna.so"])), ctypes.c_size_t()
     for name in ("rna_open", "rna_extension", "rna_entry"):
@@ -190,7 +186,7 @@ def test_data_of_extensions_are_as_in_the_file(programs: dict[str, Path]) -> Non
 @pytest.mark.parametrize(
     "target", ["x86_64-windows-gnu", "x86-windows-gnu", "arm-linux-musleabihf", "aarch64-macos"]
 )
-def test_it_compiles_for_other_systems(target: str, tmp_path: Path) -> None:
+def test_it_compiles_for_other_systems(target, tmp_path):
     """By zig's compiler, where `pip install ziglang` has it."""
     zig = Path(pytest.importorskip("ziglang").__file__).with_name("zig")
     command = [zig, "cc", "-target", target, "-std=c11", "-Wall", "-Wextra", "-pedantic", "-Werror"]
@@ -199,6 +195,6 @@ def test_it_compiles_for_other_systems(target: str, tmp_path: Path) -> None:
     subprocess.run([*command, "-o", tmp_path / "rna.o"], check=True, env={**os.environ, **caches})
 
 
-def test_it_compiles_without_warnings(tmp_path: Path) -> None:
+def test_it_compiles_without_warnings(tmp_path):
     command = ["cc", "-std=c11", "-Wall", "-Wextra", "-pedantic", "-Werror", "-O0", "-c"]
     subprocess.run([*command, SOURCES / "rna.c", "-o", tmp_path / "rna.o"], check=True)

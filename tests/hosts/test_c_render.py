@@ -20,7 +20,7 @@ WALL = {"visible": (0.5, 0.4, 0.2), "shadowed": (0.1, 0.2, 0.3), "emission": (0.
 
 
 @pytest.fixture
-def render(programs: dict[str, Path]) -> Path:
+def render(programs):
     return programs["render"]
 
 
@@ -34,7 +34,7 @@ def picture(render: Path, package: Path, out: Path, *options: object) -> np.ndar
 
 
 @pytest.mark.parametrize("package", [TOY, CURLS], ids=["toy", "curls"])
-def test_default_camera_shows_the_asset(package: Path, render: Path, tmp_path: Path) -> None:
+def test_default_camera_shows_the_asset(package, render, tmp_path):
     pixels = picture(render, package, tmp_path / "picture.ppm")
     assert pixels[0, 0].max() == 0 and pixels[10:17, 18:30].mean() > 15
 
@@ -67,7 +67,7 @@ def write_pane_before_wall(path: Path) -> Path:
 
 
 @pytest.mark.parametrize(("irradiance", "glow"), [(0, 1), (1, 0), (0.8, 0.5)])
-def test_light_through_a_pane(irradiance: float, glow: float, render: Path, tmp_path: Path) -> None:
+def test_light_through_a_pane(irradiance, glow, render, tmp_path):
     """(1 - tau) of the pane, and tau of the wall, which the sun reaches through the pane alone."""
     package = write_pane_before_wall(tmp_path / "pane.rna")
     view = "--camera", 0, 0, 6, 0, 0, 0, 8, "--sun", 0, 0, 1, *[irradiance] * 3, "--glow", glow
@@ -80,7 +80,7 @@ def test_light_through_a_pane(irradiance: float, glow: float, render: Path, tmp_
     assert np.abs(pixels[8:19, 16:32] - 255 * srgb).max() <= 0.6
 
 
-def test_an_edge_of_two_triangles_tints_once(programs: dict[str, Path], tmp_path: Path) -> None:
+def test_an_edge_of_two_triangles_tints_once(programs, tmp_path):
     """The middle of the wall sees the sun through the diagonal of the pane."""
     package = write_pane_before_wall(tmp_path / "pane.rna")
     hit = np.zeros(8, "<f4")
@@ -92,7 +92,7 @@ def test_an_edge_of_two_triangles_tints_once(programs: dict[str, Path], tmp_path
     np.testing.assert_allclose(np.fromfile(tmp_path / "seen", "<f4"), TAU, atol=1e-6)
 
 
-def test_errors_are_named(render: Path, tmp_path: Path) -> None:
+def test_errors_are_named(render, tmp_path):
     broken = tmp_path / "broken.rna"
     broken.write_bytes(TOY.read_bytes()[:-1])
     result = run(render, broken, tmp_path / "picture.ppm")

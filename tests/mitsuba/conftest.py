@@ -1,7 +1,6 @@
 """Mitsuba with LLVM, for the tests of `rna_mitsuba` alone."""
 
 import os
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -25,7 +24,7 @@ def _usable_llvm() -> str | None:
 
 
 @pytest.fixture(scope="module", autouse=True)
-def llvm() -> Iterator[None]:
+def llvm():
     """The variant is llvm_ad_rgb in these modules; the others keep theirs."""
     before = mi.variant()
     try:

@@ -11,7 +11,7 @@ from tests.conformance.conftest import KIT, InProcess
 
 
 @pytest.mark.parametrize("level", ["evaluate", "nearby", "visibility", "normals", "base-color"])
-def test_it_passes(level: str) -> None:
+def test_it_passes(level):
     from rna_mitsuba import conformance_reader as reader
 
     program = InProcess(
@@ -25,7 +25,7 @@ def test_it_passes(level: str) -> None:
     assert scores and [score for score in scores if not score.passed] == []
 
 
-def test_rays_without_a_lift_fail() -> None:
+def test_rays_without_a_lift_fail():
     """The kit sees a wrong visibility here, too."""
     from rna_mitsuba import conformance_reader as reader
     from rna_mitsuba import points
@@ -38,7 +38,7 @@ def test_rays_without_a_lift_fail() -> None:
 
 
 @pytest.mark.parametrize("variant", ["scalar_rgb", "llvm_ad_spectral"])
-def test_another_variant_is_refused(variant: str) -> None:
+def test_another_variant_is_refused(variant):
     program = (
         f"import mitsuba as mi; mi.set_variant({variant!r})\n"
         "from rna_sdk.errors import QueryError\n"

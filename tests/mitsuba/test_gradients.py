@@ -13,7 +13,7 @@ SEED = 7
 
 
 @pytest.fixture(scope="module")
-def scene(llvm: None) -> Any:
+def scene(llvm):
     import mitsuba as mi
 
     import rna_mitsuba
@@ -76,7 +76,7 @@ def difference(scene: Any, key: str, value: Callable[[Any], Any], step: float) -
     return (images[0] - images[1]) / (2 * step)
 
 
-def test_by_the_light(scene: Any) -> None:
+def test_by_the_light(scene):
     import mitsuba as mi
 
     def brighter(x: Any) -> Any:
@@ -89,7 +89,7 @@ def test_by_the_light(scene: Any) -> None:
 
 
 @pytest.mark.parametrize(("motion", "step"), [("turn", 0.02), ("move", 1e-4)])
-def test_by_the_pose(scene: Any, motion: str, step: float, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_by_the_pose(scene, motion, step, monkeypatch):
     """Where no edge and no shadow crosses a sample: visibility and nearby light are held fixed."""
     import mitsuba as mi
 

@@ -22,13 +22,13 @@ SIZE, BATCHES = (24, 16), 24
     ("name", "samples"),
     [("sun", 16), ("environment and ground", 40), ("lamp and red wall", 40), ("curls", 128)],
 )
-def test_both_show_the_same(name: str, samples: int, tmp_path: Path) -> None:
+def test_both_show_the_same(name, samples, tmp_path):
     from tests.mitsuba.scene_pairs import pairs
 
     assert_both_alike(pairs(tmp_path)[name], samples, tmp_path)
 
 
-def test_assets_whose_boxes_overlap_shadow_each_other_alone(tmp_path: Path) -> None:
+def test_assets_whose_boxes_overlap_shadow_each_other_alone(tmp_path):
     """A ray that starts on a toy passes through it, and is stopped by the one that stands in it."""
     import mitsuba as mi
 
@@ -56,7 +56,7 @@ def test_assets_whose_boxes_overlap_shadow_each_other_alone(tmp_path: Path) -> N
 
 
 @pytest.mark.parametrize("name", ["surface", "fiber"])
-def test_nearby_light_of_one_ray_a_sample_is_the_same(name: str, tmp_path: Path) -> None:
+def test_nearby_light_of_one_ray_a_sample_is_the_same(name, tmp_path):
     import rna_mitsuba
     from tests.mitsuba.scene_pairs import Pair, sun
 

@@ -42,7 +42,7 @@ def lobes(sampling: Mixture, axis: np.ndarray, wo: np.ndarray):
 
 
 @pytest.mark.parametrize("name", MIXTURES)
-def test_directions_follow_their_density(name: str) -> None:
+def test_directions_follow_their_density(name):
     import mitsuba as mi
 
     axis, wo = unit_vectors(np.random.default_rng(1), 2)[:, None]
@@ -58,7 +58,7 @@ def test_directions_follow_their_density(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", [*MIXTURES, "narrow"])
-def test_densities_are_those_of_the_renderer(name: str) -> None:
+def test_densities_are_those_of_the_renderer(name):
     narrow = Mixture(mirror=(MirrorLobe(share=0.9, width=1e-3),))
     sampling, rng = MIXTURES.get(name, narrow), np.random.default_rng(3)
     axis, wo = unit_vectors(rng, 1000), unit_vectors(rng, 1000)

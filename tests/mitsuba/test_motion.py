@@ -32,7 +32,7 @@ def write_bend(path: Path, package: Path) -> Path:
 
 
 @pytest.mark.parametrize("package", [TOY, BALL], ids=["surface", "fiber"])
-def test_rest_points_are_those_of_the_sdk(package: Path, tmp_path: Path) -> None:
+def test_rest_points_are_those_of_the_sdk(package, tmp_path):
     import mitsuba as mi
 
     from rna_mitsuba.shape import load_package
@@ -69,7 +69,7 @@ def test_rest_points_are_those_of_the_sdk(package: Path, tmp_path: Path) -> None
     np.testing.assert_allclose(np.array(arguments["wi"]).T, -wo, atol=1e-3)
 
 
-def test_both_show_the_same_bent_asset(tmp_path: Path) -> None:
+def test_both_show_the_same_bent_asset(tmp_path):
     import rna_mitsuba
     from tests.mitsuba.scene_pairs import Pair, sun
 
@@ -88,7 +88,7 @@ def test_both_show_the_same_bent_asset(tmp_path: Path) -> None:
     assert_both_alike(pair, 16, tmp_path)
 
 
-def test_a_frame_that_is_not_there_is_told(tmp_path: Path) -> None:
+def test_a_frame_that_is_not_there_is_told(tmp_path):
     import mitsuba as mi
 
     import rna_mitsuba

@@ -1,7 +1,6 @@
 """The plug-ins as users write them: in XML, in dictionaries, with mistakes; and the docs' code."""
 
 import re
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -26,7 +25,7 @@ def load(**properties: Any) -> Any:
     return mi.load_dict({"type": "rna", **properties})
 
 
-def test_it_can_be_written_in_xml(tmp_path: Path) -> None:
+def test_it_can_be_written_in_xml(tmp_path):
     import mitsuba as mi
 
     from rna_mitsuba import RnaShape
@@ -45,7 +44,7 @@ def test_it_can_be_written_in_xml(tmp_path: Path) -> None:
     np.testing.assert_allclose(scene.bbox().max, high, rtol=1e-5)
 
 
-def test_a_carrier_has_the_same_pixels(tmp_path: Path) -> None:
+def test_a_carrier_has_the_same_pixels(tmp_path):
     import mitsuba as mi
 
     import rna_mitsuba  # noqa: F401
@@ -68,11 +67,11 @@ def test_a_carrier_has_the_same_pixels(tmp_path: Path) -> None:
     assert len(np.unique(pictures[0][..., 0])) > 2
 
 
-def test_instances_share_a_package() -> None:
+def test_instances_share_a_package():
     assert load(filename=str(TOY)).loaded is load(filename=str(TOY)).loaded
 
 
-def test_a_variant_has_its_own_base_colour(tmp_path: Path) -> None:
+def test_a_variant_has_its_own_base_colour(tmp_path):
     import mitsuba as mi
 
     path = make_variants(tmp_path / "print.rna")
@@ -99,7 +98,7 @@ def test_a_variant_has_its_own_base_colour(tmp_path: Path) -> None:
         ({"to_world": np.diag([-1.0, 1.0, 1.0, 1.0])}, "transform: .*mirrors"),
     ],
 )
-def test_mistakes_are_told(change: dict[str, Any], actual: str) -> None:
+def test_mistakes_are_told(change, actual):
     import rna_mitsuba
 
     arguments = {"filename": str(TOY)} | change
@@ -108,12 +107,12 @@ def test_mistakes_are_told(change: dict[str, Any], actual: str) -> None:
         rna_mitsuba.asset(path, **arguments)
 
 
-def test_mistakes_in_scene_files_are_told() -> None:
+def test_mistakes_in_scene_files_are_told():
     with pytest.raises(RuntimeError, match="no tier 'huge'"):
         load(filename=str(TOY), tier="huge")
 
 
-def test_emitters_cannot_be_hidden() -> None:
+def test_emitters_cannot_be_hidden():
     import mitsuba as mi
 
     import rna_mitsuba  # noqa: F401
@@ -122,7 +121,7 @@ def test_emitters_cannot_be_hidden() -> None:
         mi.load_dict({"type": "rna_path", "hide_emitters": True})
 
 
-def test_the_code_of_the_docs_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_code_of_the_docs_runs(monkeypatch):
     monkeypatch.chdir(TOY.parent)
     page = (REPOSITORY / "docs" / "mitsuba.md").read_text()
     (code,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)

@@ -30,7 +30,7 @@ def package_of(source: Mesh) -> Mesh:
     return Mesh(*np.float32([quartered(p), normals]), None, triangles)
 
 
-def test_a_mesh_follows_a_motion_of_its_source() -> None:
+def test_a_mesh_follows_a_motion_of_its_source():
     mesh = package_of(SOURCE)
     (binding,) = bind([mesh], SOURCE.positions, SOURCE.triangles)
     np.testing.assert_allclose(binding.positions(SOURCE.positions), mesh.positions, atol=1e-7)
@@ -39,7 +39,7 @@ def test_a_mesh_follows_a_motion_of_its_source() -> None:
     np.testing.assert_allclose(moved, mesh.positions @ matrix.T, atol=1e-6)
 
 
-def test_a_mesh_follows_the_vertices_that_its_package_names() -> None:
+def test_a_mesh_follows_the_vertices_that_its_package_names():
     """Two sheets at one place with one normal, which places at rest cannot tell apart."""
     count = len(SOURCE.positions)
     order = np.random.default_rng(3).permutation(count).astype(np.uint32)
@@ -54,7 +54,7 @@ def test_a_mesh_follows_the_vertices_that_its_package_names() -> None:
     np.testing.assert_allclose(moved, sheet.positions + np.float32([0, 1, 0]), atol=1e-6)
 
 
-def test_places_serve_where_the_source_has_other_vertices_than_the_package_names() -> None:
+def test_places_serve_where_the_source_has_other_vertices_than_the_package_names():
     mesh, (numbers, count) = SOURCE, (np.arange(len(SOURCE.positions)), len(SOURCE.positions))
     for known in (
         SourceVertices(numbers.astype(np.uint32), count + 1),
@@ -68,7 +68,7 @@ def test_places_serve_where_the_source_has_other_vertices_than_the_package_names
         bind([mesh], 3 * SOURCE.positions, SOURCE.triangles, numbers=[other])
 
 
-def test_surfaces_that_touch_part_in_motion() -> None:
+def test_surfaces_that_touch_part_in_motion():
     """Two sheets back to back: a vertex follows the one whose normal it has."""
     back = Mesh(SOURCE.positions, -SOURCE.normals, None, SOURCE.triangles[:, ::-1].copy())
     count = len(SOURCE.positions)
@@ -78,7 +78,7 @@ def test_surfaces_that_touch_part_in_motion() -> None:
     assert (upper.corners < count).all() and (lower.corners >= count).all()
 
 
-def test_a_vertex_of_the_source_goes_before_a_triangle_that_touches_it() -> None:
+def test_a_vertex_of_the_source_goes_before_a_triangle_that_touches_it():
     """Another piece ends on a vertex of a smooth sheet, and faces as the vertex's normal does."""
     leaning = np.float32([0.6, 0.8, 0])
     touched = SOURCE.positions[40]
@@ -95,7 +95,7 @@ def test_a_vertex_of_the_source_goes_before_a_triangle_that_touches_it() -> None
     np.testing.assert_allclose(binding.positions(both)[40], touched, atol=1e-6)
 
 
-def test_strands_follow_the_motion_of_their_roots() -> None:
+def test_strands_follow_the_motion_of_their_roots():
     roots = SOURCE.positions[::7].astype(float)
     points = np.stack([roots + h * SOURCE.normals[::7] for h in (0, 0.1, 0.2)], axis=1)
     offsets = np.arange(0, 3 * len(roots) + 1, 3).astype(np.uint32)
@@ -120,6 +120,6 @@ def test_strands_follow_the_motion_of_their_roots() -> None:
         (SOURCE.positions @ rotation(1).T, "vertices are off its surface, up to"),
     ],
 )
-def test_a_motion_of_another_shape_is_refused(source: np.ndarray, message: str) -> None:
+def test_a_motion_of_another_shape_is_refused(source, message):
     with pytest.raises(MotionError, match=message):
         bind([package_of(SOURCE)], source, SOURCE.triangles, ("walk.glb", "toy.rna"))

@@ -20,7 +20,7 @@ from tests.time_limit import time_limit
 MESH = grid(5)
 
 
-def test_a_node_in_motion(tmp_path: Path) -> None:
+def test_a_node_in_motion(tmp_path):
     turn = [quaternion((0, 1, 0), angle) for angle in (0, 90)]
     tracks = [("rotation", [0, 1], turn), ("translation", [0, 2], [[0, 0, 0], [2, 0, 0]])]
     motion = GltfMotion(moving_node(tmp_path / "a.gltf", MESH, tracks), rate=10)
@@ -36,7 +36,7 @@ def test_a_node_in_motion(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("kind", "at"), [("LINEAR", 0.25), ("STEP", 0.0), ("CUBICSPLINE", 0.15625)]
 )
-def test_kinds_of_interpolation_of_a_motion(tmp_path: Path, kind: str, at: float) -> None:
+def test_kinds_of_interpolation_of_a_motion(tmp_path, kind, at):
     """A quarter of the way from 0 to 1; of the spline with flat ends 3 t^2 - 2 t^3."""
     keys = np.zeros((2, 3))
     keys[1, 0] = 1
@@ -47,7 +47,7 @@ def test_kinds_of_interpolation_of_a_motion(tmp_path: Path, kind: str, at: float
     np.testing.assert_allclose(actual, at, atol=1e-6)
 
 
-def test_morph_targets_in_motion(tmp_path: Path) -> None:
+def test_morph_targets_in_motion(tmp_path):
     file, up = GltfFile(), np.tile(np.float32([0, 1, 0]), (len(MESH.positions), 1))
     mesh = file.mesh(MESH)
     mesh["primitives"][0]["targets"] = [{"POSITION": file.add(up)}, {"POSITION": file.add(-2 * up)}]
@@ -59,7 +59,7 @@ def test_morph_targets_in_motion(tmp_path: Path) -> None:
     np.testing.assert_allclose(shift, np.float32([0, 2 * (1 - 0.5), 0]) + 0 * shift, atol=1e-6)
 
 
-def test_a_skin_in_motion(tmp_path: Path) -> None:
+def test_a_skin_in_motion(tmp_path):
     """The far end turns about the middle; the near one stays; the mesh's node does not count."""
     motion = GltfMotion(bending_arm(tmp_path / "a.gltf", MESH, 90), rate=1)
     np.testing.assert_allclose(motion.positions(0), MESH.positions, atol=1e-6)
@@ -72,7 +72,7 @@ def test_a_skin_in_motion(tmp_path: Path) -> None:
     np.testing.assert_allclose(moved[far], turned, atol=1e-6)
 
 
-def test_clips_of_a_motion_by_name(tmp_path: Path) -> None:
+def test_clips_of_a_motion_by_name(tmp_path):
     path = bending_arm(tmp_path / "a.gltf", MESH, 90)
     document = json.loads(path.read_text())
     document["animations"].append({**document["animations"][0], "name": "Run"})
@@ -82,7 +82,7 @@ def test_clips_of_a_motion_by_name(tmp_path: Path) -> None:
         GltfMotion(path, "Fly")
 
 
-def test_the_last_key_of_a_clip_between_two_frames_is_shown(tmp_path: Path) -> None:
+def test_the_last_key_of_a_clip_between_two_frames_is_shown(tmp_path):
     track = ("translation", [0, 0.99], [[0, 0, 0], [1, 0, 0]])
     motion = GltfMotion(moving_node(tmp_path / "a.gltf", MESH, [track]))
     assert motion.frames == 25
@@ -92,7 +92,7 @@ def test_the_last_key_of_a_clip_between_two_frames_is_shown(tmp_path: Path) -> N
     assert GltfMotion(moving_node(tmp_path / "b.gltf", MESH, [whole])).frames == 25
 
 
-def test_a_clip_moves_a_package_that_was_made_from_another_one(tmp_path: Path) -> None:
+def test_a_clip_moves_a_package_that_was_made_from_another_one(tmp_path):
     """The package has the shape of the walk's first key, in which the run never is."""
     turns = [quaternion((0, 1, 0), angle) for angle in (30, 60, 90)]
     walk = moving_node(tmp_path / "walk.gltf", MESH, [("rotation", [0, 1], turns[:2])])
@@ -119,7 +119,7 @@ def test_a_clip_moves_a_package_that_was_made_from_another_one(tmp_path: Path) -
         ({"asset": {"version": "1.0"}}, "version 1.0, not 2"),
     ],
 )
-def test_files_of_no_motion_are_refused(tmp_path: Path, change: dict, message: str) -> None:
+def test_files_of_no_motion_are_refused(tmp_path, change, message):
     path = bending_arm(tmp_path / "a.gltf", MESH, 90)
     path.write_text(json.dumps({**json.loads(path.read_text()), **change}))
     with pytest.raises(MotionError, match=message) as caught:
@@ -178,13 +178,13 @@ def many_tracks(d: Document) -> None:
 
 
 @pytest.mark.parametrize("change", [many_nodes, many_targets, many_skins, many_tracks])
-def test_motions_are_limited_before_they_take_memory(tmp_path: Path, change: Any) -> None:
+def test_motions_are_limited_before_they_take_memory(tmp_path, change):
     path = changed(tmp_path / "a.gltf", change)
     with mebibytes(20), pytest.raises(MotionError, match=r"a\.gltf: is no valid glTF.*; at most"):
         GltfMotion(path)
 
 
-def test_a_long_chain_of_joints(tmp_path: Path) -> None:
+def test_a_long_chain_of_joints(tmp_path):
     def chain(d: Document) -> None:
         first, count = len(d["nodes"]), 30_000
         d["nodes"] += [{"children": [first + k + 1]} for k in range(count - 1)] + [{}]
@@ -213,7 +213,7 @@ def test_a_long_chain_of_joints(tmp_path: Path) -> None:
         lambda d: d["accessors"][0].update(count=d["buffers"][0]),
     ],
 )
-def test_a_motion_that_cannot_be_posed(tmp_path: Path, change: Any) -> None:
+def test_a_motion_that_cannot_be_posed(tmp_path, change):
     path = changed(tmp_path / "a.gltf", change)
     with pytest.raises(MotionError, match=r"a\.gltf: is no valid glTF file: \w") as caught:
         GltfMotion(path).positions(1)
@@ -221,7 +221,7 @@ def test_a_motion_that_cannot_be_posed(tmp_path: Path, change: Any) -> None:
     assert "Error" not in str(caught.value)  # no name of Python's
 
 
-def test_data_that_lost_its_scheme_is_not_repeated(tmp_path: Path) -> None:
+def test_data_that_lost_its_scheme_is_not_repeated(tmp_path):
     path = bending_arm(tmp_path / "a.gltf", MESH, 90)
     document = json.loads(path.read_text())
     document["buffers"][0]["uri"] = document["buffers"][0]["uri"].replace("data:", "dataA")
@@ -230,7 +230,7 @@ def test_data_that_lost_its_scheme_is_not_repeated(tmp_path: Path) -> None:
         GltfMotion(path)
 
 
-def test_times_before_the_start_are_refused(tmp_path: Path) -> None:
+def test_times_before_the_start_are_refused(tmp_path):
     track = ("translation", [-5, -1], np.zeros((2, 3)))
     with pytest.raises(MotionError, match="do not ascend from 0"):
         GltfMotion(moving_node(tmp_path / "a.gltf", MESH, [track]))

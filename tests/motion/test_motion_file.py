@@ -25,7 +25,7 @@ def written(path: Path, count: int = 4) -> Path:
     return path
 
 
-def test_frames_of_a_motion_come_back(tmp_path: Path) -> None:
+def test_frames_of_a_motion_come_back(tmp_path):
     motion = open_motion(written(tmp_path / "a.rnam"), PARTS)
     assert (motion.frames, motion.rate) == (4, 25.0)
     for k in (3, 0, 2):
@@ -35,7 +35,7 @@ def test_frames_of_a_motion_come_back(tmp_path: Path) -> None:
     np.testing.assert_allclose(half, MESH.positions + np.float32([0, 0.15, 0]), atol=1e-6)
 
 
-def test_a_motion_that_is_written_in_place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_motion_that_is_written_in_place(tmp_path, monkeypatch):
     """A read motion stays; a mapped one is refused; a file of its name changes nothing."""
     path = written(tmp_path / "a.rnam")
     read = open_motion(path, PARTS)
@@ -56,7 +56,7 @@ def test_a_motion_that_is_written_in_place(tmp_path: Path, monkeypatch: pytest.M
             mapped.positions(3)
 
 
-def test_a_motion_file_is_a_safetensors_file(tmp_path: Path) -> None:
+def test_a_motion_file_is_a_safetensors_file(tmp_path):
     from safetensors.numpy import load_file
 
     arrays = load_file(written(tmp_path / "a.rnam"))
@@ -64,12 +64,12 @@ def test_a_motion_file_is_a_safetensors_file(tmp_path: Path) -> None:
     np.testing.assert_array_equal(arrays["part.1"][2], frame(2)[1])
 
 
-def test_the_same_motion_has_the_same_bytes(tmp_path: Path) -> None:
+def test_the_same_motion_has_the_same_bytes(tmp_path):
     first, second = (written(tmp_path / name).read_bytes() for name in ("a.rnam", "b.rnam"))
     assert first == second
 
 
-def test_a_motion_that_fails_leaves_no_file(tmp_path: Path) -> None:
+def test_a_motion_that_fails_leaves_no_file(tmp_path):
     def frames() -> Iterator[list[np.ndarray]]:
         yield frame(0)
         yield [MESH.positions * np.float32(np.nan), CURVES.points]
@@ -84,7 +84,7 @@ def test_a_motion_that_fails_leaves_no_file(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_motion_of_another_topology_is_refused(tmp_path: Path) -> None:
+def test_a_motion_of_another_topology_is_refused(tmp_path):
     path = written(tmp_path / "a.rnam")
     turned = replace(MESH, triangles=MESH.triangles[::-1].copy())
     with pytest.raises(MotionError, match=r"a\.rnam: part 0 has other triangles than toy\.rna"):
@@ -98,14 +98,14 @@ def test_a_motion_of_another_topology_is_refused(tmp_path: Path) -> None:
         open_motion(path, [CURVES, MESH])
 
 
-def test_a_motion_without_the_frame_is_refused(tmp_path: Path) -> None:
+def test_a_motion_without_the_frame_is_refused(tmp_path):
     motion = open_motion(written(tmp_path / "a.rnam"), PARTS)
     for number in (4, 3.5, -1):
         with pytest.raises(MotionError, match=f"has frames 0 to 3, and no frame {number:g}"):
             motion.positions(number)
 
 
-def test_a_motion_with_nan_is_refused(tmp_path: Path) -> None:
+def test_a_motion_with_nan_is_refused(tmp_path):
     path = written(tmp_path / "a.rnam")
     data = bytearray(path.read_bytes())
     data[-12:-8] = np.float32(np.nan).tobytes()
@@ -115,7 +115,7 @@ def test_a_motion_with_nan_is_refused(tmp_path: Path) -> None:
         motion.positions(3)
 
 
-def test_a_motion_of_another_scale_is_refused(tmp_path: Path) -> None:
+def test_a_motion_of_another_scale_is_refused(tmp_path):
     frames = [[100 * positions for positions in frame(0)]]
     write_motion(tmp_path / "a.rnam", PARTS, frames, count=1, rate=24.0)
     with pytest.raises(MotionError, match=r"part 0 is 100 times as large .* expected metres"):
@@ -123,7 +123,7 @@ def test_a_motion_of_another_scale_is_refused(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("data", [b"", b"12", b"\x05\0\0\0\0\0\0\0{}   ", b"PK\3\4" + bytes(80)])
-def test_a_motion_that_is_none_is_refused(tmp_path: Path, data: bytes) -> None:
+def test_a_motion_that_is_none_is_refused(tmp_path, data):
     path = tmp_path / "a.rnam"
     path.write_bytes(data)
     with pytest.raises(MotionError, match=r"a\.rnam: ") as caught:

@@ -55,9 +55,7 @@ def matrix() -> np.ndarray:
 
 
 @pytest.mark.parametrize("package", [TOY, BALL], ids=["surface", "fiber"])
-def test_rigid_motion_is_the_transforms_picture_to_60_db(
-    tmp_path: Path, package: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_rigid_motion_is_the_transforms_picture_to_60_db(tmp_path, package, monkeypatch):
     """Off outlines, and off the edges of shadows, where a ray by rounding goes the other way.
 
     Under the sun alone, which needs no random directions, by the means of nearby light, whose
@@ -87,7 +85,7 @@ def test_rigid_motion_is_the_transforms_picture_to_60_db(
     assert np.quantile(np.abs(normals[:, inside]), 0.995) < 1e-3
 
 
-def test_frames_of_a_motion_are_the_same_on_any_threads(tmp_path: Path) -> None:
+def test_frames_of_a_motion_are_the_same_on_any_threads(tmp_path):
     bending_arm(tmp_path / "bend.gltf", load(TOY).mesh, 30)
     more = "animation: {frames: 3, fixed_seed: true}"
     path = scene(tmp_path, "motion: {path: bend.gltf, rate: 2}", more)
@@ -106,7 +104,7 @@ def test_frames_of_a_motion_are_the_same_on_any_threads(tmp_path: Path) -> None:
     assert np.array_equal(still["position.X"], second["position.X"])
 
 
-def test_motion_blur_is_the_mean_of_its_subframes(tmp_path: Path) -> None:
+def test_motion_blur_is_the_mean_of_its_subframes(tmp_path):
     mesh, up = load(TOY).mesh, ("translation", [0, 1], [[0, 0, 0], [0, 0.5, 0]])
     moving_node(tmp_path / "up.gltf", mesh, [up])
     motion, blur = "motion: {path: up.gltf, rate: 1}", "shutter: 1, subframes: 2"
@@ -135,7 +133,7 @@ def test_motion_blur_is_the_mean_of_its_subframes(tmp_path: Path) -> None:
         ("motion: {path: up.gltf, rate: 0}", "rate: expected a number, more than 0"),
     ],
 )
-def test_motions_that_do_not_fit_are_refused(tmp_path: Path, asset: str, message: str) -> None:
+def test_motions_that_do_not_fit_are_refused(tmp_path, asset, message):
     mesh = load(TOY).mesh
     track = ("rotation", [0, 1], [quaternion((0, 1, 0), a) for a in (0, 90)])
     moving_node(tmp_path / "up.gltf", mesh, [track])
@@ -148,9 +146,7 @@ def test_motions_that_do_not_fit_are_refused(tmp_path: Path, asset: str, message
     assert "\n" not in str(caught.value)
 
 
-def test_a_motion_too_short_for_the_frames_is_refused_at_once(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_motion_too_short_for_the_frames_is_refused_at_once(tmp_path, capsys):
     moving_node(tmp_path / "up.gltf", load(TOY).mesh, [("scale", [0, 1], [[1, 1, 1]] * 2)])
     path = scene(tmp_path, "motion: up.gltf", "animation: {frames: 40}")
     assert main([str(path), "--frames", "all", "--out", f"{tmp_path}/%02d.exr"]) == 1
@@ -160,7 +156,7 @@ def test_a_motion_too_short_for_the_frames_is_refused_at_once(
     load_world(read_scene(looping))
 
 
-def test_a_loop_that_does_not_close_is_refused(tmp_path: Path) -> None:
+def test_a_loop_that_does_not_close_is_refused(tmp_path):
     moving_node(tmp_path / "up.gltf", load(TOY).mesh, [("scale", [0, 1], [[1, 1, 1], [1, 2, 1]])])
     load_world(read_scene(scene(tmp_path, "motion: up.gltf")))
     looping = scene(tmp_path, "motion: {path: up.gltf, loop: true}")
@@ -168,12 +164,12 @@ def test_a_loop_that_does_not_close_is_refused(tmp_path: Path) -> None:
         load_world(read_scene(looping))
 
 
-def test_an_animation_without_motion_is_refused(tmp_path: Path) -> None:
+def test_an_animation_without_motion_is_refused(tmp_path):
     with pytest.raises(SceneError, match="nothing moves: give turntable, light_sweep, or"):
         read_scene(scene(tmp_path, "tier: small", "animation: {frames: 2}"))
 
 
-def test_motion_is_for_the_cpu(tmp_path: Path) -> None:
+def test_motion_is_for_the_cpu(tmp_path):
     from rna_render.paths.integrator_factory import check_device
 
     moving_node(tmp_path / "up.gltf", load(TOY).mesh, [("scale", [0, 1], [[1, 1, 1]] * 2)])

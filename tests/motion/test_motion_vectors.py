@@ -1,7 +1,5 @@
 """Motion vectors, `forward.u` and `forward.v`, in pixels, against points projected by hand."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -40,7 +38,7 @@ def seen(actual: dict[str, np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
 
 
 @pytest.mark.parametrize("package", [TOY, BALL], ids=["surface", "fiber"])
-def test_of_a_rigid_motion_are_those_of_its_transform(tmp_path: Path, package: Path) -> None:
+def test_of_a_rigid_motion_are_those_of_its_transform(tmp_path, package):
     part = load(package)
     geometry = part.curves if part.kind == "fiber" else part.mesh
     rest = geometry.points if part.kind == "fiber" else geometry.positions
@@ -58,7 +56,7 @@ def test_of_a_rigid_motion_are_those_of_its_transform(tmp_path: Path, package: P
     np.testing.assert_allclose(actual, expected, atol=2e-3)
 
 
-def test_of_a_camera_that_turns_are_those_of_its_next_place(tmp_path: Path) -> None:
+def test_of_a_camera_that_turns_are_those_of_its_next_place(tmp_path):
     more = "animation: {frames: 10, turntable: {degrees: 100}}"
     path = scene(tmp_path, "tier: small", more)
     c, s = np.cos(np.radians(10)), np.sin(np.radians(10))
@@ -74,7 +72,7 @@ def test_of_a_camera_that_turns_are_those_of_its_next_place(tmp_path: Path) -> N
         np.testing.assert_allclose(actual, expected, atol=1e-3)
 
 
-def test_are_0_where_nothing_moves(tmp_path: Path) -> None:
+def test_are_0_where_nothing_moves(tmp_path):
     mesh = load(TOY).mesh
     bent = mesh.positions + np.float32([0, 0.1, 0])
     write_motion(tmp_path / "up.rnam", [mesh], [[mesh.positions], [bent]], count=2, rate=24)

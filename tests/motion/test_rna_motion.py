@@ -89,7 +89,7 @@ def package(path: Path, mesh: Mesh, hair: Curves) -> Path:
     return path
 
 
-def test_a_motion_file_of_a_gltf(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_motion_file_of_a_gltf(tmp_path, capsys):
     mesh = load(TOY).mesh
     bend, out = bending_arm(tmp_path / "bend.gltf", mesh, 30), tmp_path / "bend.rnam"
     assert main([str(bend), str(TOY), "--out", str(out), "--rate", "4"]) == 0
@@ -106,9 +106,7 @@ def test_a_motion_file_of_a_gltf(tmp_path: Path, capsys: pytest.CaptureFixture[s
     assert open_motion(some, [mesh]).frames == 2
 
 
-def test_sources_of_no_motion_are_one_line(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_sources_of_no_motion_are_one_line(tmp_path, capsys):
     mesh, out = load(TOY).mesh, tmp_path / "a.rnam"
     large = replace(mesh, positions=100 * mesh.positions)
     track = ("translation", [0, 1], [[0, 0, 0], [1, 0, 0]])
@@ -124,9 +122,7 @@ def test_sources_of_no_motion_are_one_line(
 
 
 @pytest.mark.blender
-def test_an_animated_gltf_is_captured_at_its_first_keys(
-    tmp_path: Path, blender_python: Path
-) -> None:
+def test_an_animated_gltf_is_captured_at_its_first_keys(tmp_path, blender_python):
     """Where the next clip of the character may begin, and not 1/24 s into this one."""
     turns = [quaternion((0, 1, 0), angle) for angle in (30, 80)]
     path = moving_node(tmp_path / "walk.gltf", load(TOY).mesh, [("rotation", [0, 0.5], turns)])
@@ -139,9 +135,7 @@ def test_an_animated_gltf_is_captured_at_its_first_keys(
 
 
 @pytest.mark.blender
-def test_a_motion_file_of_what_blender_evaluates(
-    tmp_path: Path, blender_python: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_motion_file_of_what_blender_evaluates(tmp_path, blender_python, capsys):
     """The whole moves as one, so each vertex has a closed form; strands are the source's own.
 
     The package is that of another frame than the one that the source opens with.
@@ -187,12 +181,12 @@ def test_a_motion_file_of_what_blender_evaluates(
     [("loop.blend", "Too many levels of symbolic links"), ("model.rna", "a package, not a model")],
 )
 def test_what_is_no_model_is_refused_before_blender_starts(
-    name: str,
-    reason: str,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+    name,
+    reason,
+    tmp_path,
+    monkeypatch,
+    capsys,
+):
     (tmp_path / "loop.blend").symlink_to("loop.blend")
     (tmp_path / "model.rna").write_bytes(b"a package")
     monkeypatch.setattr(blender_env, "find_or_set_up", lambda: pytest.fail("Blender starts"))
@@ -202,7 +196,7 @@ def test_what_is_no_model_is_refused_before_blender_starts(
     assert error.count("\n") == 1
 
 
-def test_a_carrier_is_moved_by_its_own_skin(tmp_path: Path) -> None:
+def test_a_carrier_is_moved_by_its_own_skin(tmp_path):
     """One .glb: the fallback's skin and clip, and the package that follows them."""
     mesh = load(TOY).mesh
     text = json.loads(bending_arm(tmp_path / "bend.gltf", mesh, 30).read_text())

@@ -4,7 +4,6 @@ import io
 import struct
 import zlib
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -51,7 +50,7 @@ def png(pixels: np.ndarray, color_type: int, bits: int, *chunks: tuple[bytes, by
     return b"\x89PNG\r\n\x1a\n" + b"".join(checked)
 
 
-def test_records_are_read_as_they_were_written(tmp_path: Path) -> None:
+def test_records_are_read_as_they_were_written(tmp_path):
     with Package.open(make_print(tmp_path / "print.rna")) as package:
         label, stamp, plain = package.base_color()
     np.testing.assert_array_equal(label.image, decoded(make_images()[LABEL]))
@@ -65,7 +64,7 @@ def test_records_are_read_as_they_were_written(tmp_path: Path) -> None:
     assert not label.image.flags.writeable
 
 
-def test_images_of_8_bits_are_what_they_were_made_of() -> None:
+def test_images_of_8_bits_are_what_they_were_made_of():
     for data in (image_bytes(PIXELS), image_bytes(PIXELS, "WEBP", lossless=True)):
         np.testing.assert_array_equal(decoded(data), PIXELS)
     np.testing.assert_array_equal(decoded(png(PIXELS, 2, 8)), PIXELS)
@@ -75,14 +74,14 @@ def test_images_of_8_bits_are_what_they_were_made_of() -> None:
 
 
 @pytest.mark.parametrize(("color_type", "channels"), [(0, 1), (2, 3), (4, 2), (6, 4)])
-def test_of_16_bits_the_higher_8_count(color_type: int, channels: int) -> None:
+def test_of_16_bits_the_higher_8_count(color_type, channels):
     rng = np.random.default_rng(color_type)
     wide = rng.integers(0, 2**16, (5, 7, channels))
     expected = np.broadcast_to((wide >> 8)[..., : 3 if channels > 2 else 1], (5, 7, 3))
     np.testing.assert_array_equal(decoded(png(wide, color_type, 16)), expected)
 
 
-def test_a_palette_grey_and_alpha_are_colours() -> None:
+def test_a_palette_grey_and_alpha_are_colours():
     grey = PIXELS[:, :, 0]
     same = np.repeat(grey[:, :, None], 3, axis=2)
     np.testing.assert_array_equal(decoded(image_bytes(grey)), same)
@@ -101,7 +100,7 @@ def test_a_palette_grey_and_alpha_are_colours() -> None:
     np.testing.assert_array_equal(decoded(clear), PIXELS)
 
 
-def test_orientation_profiles_and_gamma_change_nothing() -> None:
+def test_orientation_profiles_and_gamma_change_nothing():
     exif = Image.Exif()
     exif[0x0112] = 6  # turned by 90 degrees
     profile = ImageCms.ImageCmsProfile(ImageCms.createProfile("LAB")).tobytes()
@@ -117,14 +116,14 @@ def test_orientation_profiles_and_gamma_change_nothing() -> None:
     np.testing.assert_array_equal(plain, turned)
 
 
-def test_of_several_frames_the_first_counts() -> None:
+def test_of_several_frames_the_first_counts():
     frames = [Image.fromarray(PIXELS), Image.fromarray(255 - PIXELS)]
     for kind, options in (("PNG", {}), ("WEBP", {"lossless": True})):
         data = saved(frames[0], kind, save_all=True, append_images=frames[1:], **options)
         np.testing.assert_array_equal(decoded(data), PIXELS)
 
 
-def test_an_image_cut_short_is_refused() -> None:
+def test_an_image_cut_short_is_refused():
     for kind in ("PNG", "JPEG", "WEBP"):
         whole = image_bytes(np.repeat(PIXELS, 40, axis=0), kind)
         for size in (len(whole) // 2, len(whole) * 9 // 10):
@@ -132,13 +131,13 @@ def test_an_image_cut_short_is_refused() -> None:
                 decoded(whole[:size])
 
 
-def test_an_image_in_printing_inks_is_refused() -> None:
+def test_an_image_in_printing_inks_is_refused():
     data = saved(Image.fromarray(PIXELS).convert("CMYK"), "JPEG")
     with pytest.raises(PackageError, match=r"BASE_COLOR_IMAGE at .*Found a JPEG in CMYK"):
         decoded(data)
 
 
-def test_what_is_wrong_is_refused_when_writing(tmp_path: Path) -> None:
+def test_what_is_wrong_is_refused_when_writing(tmp_path):
     manifest, path = make_print_manifest(), tmp_path / "print.rna"
     data, images = {tier.name: make_tier_data(tier) for tier in manifest.tiers}, make_images()
     bare = replace(make_mesh(), uvs=None)
@@ -162,7 +161,7 @@ def replace_tiers(manifest, **changes):  # type: ignore[no-untyped-def]
     return manifest.model_copy(update={"tiers": tiers(**changes)})
 
 
-def test_shadowed_light_needs_no_base_color(tmp_path: Path) -> None:
+def test_shadowed_light_needs_no_base_color(tmp_path):
     path = make_print(tmp_path / "plain.rna", tiers=tiers(None))
     with Package.open(path) as package:
         small, hq = package.manifest.tiers

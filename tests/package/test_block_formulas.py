@@ -14,7 +14,7 @@ def with_block(row: str, term: str = "") -> BlockFormulas:
     return BlockFormulas(TEXT.replace(ROW, f"{row}\n{ROW}").replace(TERM, TERM + term))
 
 
-def test_a_new_block_is_in_every_language() -> None:
+def test_a_new_block_is_in_every_language():
     new = with_block("| `gloss` | 2 | surface | `dot(n, wi) / 3`, `rim` |", "rim = length(aside)\n")
     written = files(new)
     told = {
@@ -44,11 +44,11 @@ def test_a_new_block_is_in_every_language() -> None:
         ("| `gloss` | 1 | surface | `sine(n)` |", KeyError, "sine"),
     ],
 )
-def test_wrong_rows_are_refused(row: str, error: type[Exception], message: str) -> None:
+def test_wrong_rows_are_refused(row, error, message):
     with pytest.raises(error, match=message):
         with_block(row)
 
 
-def test_vectors_in_calls_have_names() -> None:
+def test_vectors_in_calls_have_names():
     with pytest.raises(ValueError, match="expected named vectors"):
         files(with_block("| `gloss` | 1 | surface | `dot(n + wi, wo)` |"))

@@ -2,7 +2,6 @@
 
 import json
 from pathlib import Path
-from typing import Any
 
 import jsonschema
 import numpy as np
@@ -27,12 +26,12 @@ CURLS = REPOSITORY / "examples" / "fibers" / "curly_ball.rna"
 
 
 @pytest.fixture(scope="module")
-def carrier(tiny: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def carrier(tiny, tmp_path_factory):
     """A .glb with the good package; do not change it."""
     return make_carrier(tiny, tmp_path_factory.mktemp("carrier") / "tiny.glb")
 
 
-def test_the_package_comes_back_bit_for_bit(carrier: Path, tiny: Path, tmp_path: Path) -> None:
+def test_the_package_comes_back_bit_for_bit(carrier, tiny, tmp_path):
     with Package.open(carrier) as package:
         assert bytes(package.file_data) == tiny.read_bytes()
         assert package.file_bytes == tiny.stat().st_size
@@ -43,14 +42,14 @@ def test_the_package_comes_back_bit_for_bit(carrier: Path, tiny: Path, tmp_path:
     assert (tmp_path / "again.rna").read_bytes() == tiny.read_bytes()
 
 
-def test_answers_have_the_same_bits(carrier: Path, tiny: Path) -> None:
+def test_answers_have_the_same_bits(carrier, tiny):
     rng = np.random.default_rng(1)
     rows = rng.normal(size=(4, 200, 3)).astype(np.float32)
     for a, b in zip(load(carrier).evaluate(*rows), load(tiny).evaluate(*rows), strict=True):
         assert a.tobytes() == b.tobytes()
 
 
-def test_the_node_fits_the_schema(carrier: Path) -> None:
+def test_the_node_fits_the_schema(carrier):
     document, _ = opened(carrier)
     schema = json.loads(SCHEMA.read_bytes())
     record = document["nodes"][-1]["extensions"][EXTENSION]
@@ -62,7 +61,7 @@ def test_the_node_fits_the_schema(carrier: Path) -> None:
     assert EXTENSION not in document.get("extensionsRequired", [])
 
 
-def test_the_example_of_the_text_fits_the_schema() -> None:
+def test_the_example_of_the_text_fits_the_schema():
     text = (REPOSITORY / "spec" / f"{EXTENSION}.md").read_text()
     example = json.loads(text.split("```json")[1].split("```")[0])
     records = [n["extensions"][EXTENSION] for n in example["nodes"] if "extensions" in n]
@@ -72,7 +71,7 @@ def test_the_example_of_the_text_fits_the_schema() -> None:
 
 
 @pytest.mark.parametrize("package", [FOX, CURLS], ids=["fox", "curls"])
-def test_the_fallback_takes_little(package: Path) -> None:
+def test_the_fallback_takes_little(package):
     """Geometry of the package is not stored again; strands are fewer."""
     with Package.open(package) as of:
         colors = (
@@ -83,7 +82,7 @@ def test_the_fallback_takes_little(package: Path) -> None:
         assert len(glb_of(of, colors)) < 1.35 * package.stat().st_size
 
 
-def test_the_fallback_is_geometry_of_the_package(carrier: Path, tiny: Path, tmp_path: Path) -> None:
+def test_the_fallback_is_geometry_of_the_package(carrier, tiny, tmp_path):
     """In place; beside the package, if that holds it in coded form."""
     coded = tmp_path / "coded.rna"
     Unpacked.read(tiny).deflated().write(coded)
@@ -102,18 +101,14 @@ def test_the_fallback_is_geometry_of_the_package(carrier: Path, tiny: Path, tmp_
 
 
 @pytest.mark.parametrize("name", CHANGES)
-def test_a_broken_carrier_is_one_line(
-    name: str, carrier: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_broken_carrier_is_one_line(name, carrier, tmp_path, capsys):
     code, change = CHANGES[name]
     path = changed(carrier, tmp_path / "broken.glb", change)
     _is_refused(path, code, capsys)
 
 
 @pytest.mark.parametrize("name", CUTS)
-def test_a_cut_carrier_is_one_line(
-    name: str, carrier: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_cut_carrier_is_one_line(name, carrier, tmp_path, capsys):
     path = tmp_path / "broken.glb"
     path.write_bytes(CUTS[name](carrier.read_bytes()))
     _is_refused(path, "GLB_CONTAINER", capsys)
@@ -128,7 +123,7 @@ def _is_refused(path: Path, code: str, capsys: pytest.CaptureFixture[str]) -> No
     assert code in first and last.endswith("invalid")
 
 
-def test_a_buffer_that_is_not_aligned_is_refused(carrier: Path, tmp_path: Path) -> None:
+def test_a_buffer_that_is_not_aligned_is_refused(carrier, tmp_path):
     document, blob = opened(carrier)
     text = json.dumps(document)
     padding = -(28 + len(text)) % 64 + 4
@@ -146,17 +141,13 @@ def test_a_buffer_that_is_not_aligned_is_refused(carrier: Path, tmp_path: Path) 
         ("GLB_FALLBACK", lambda d: d["nodes"].append({**d["nodes"][-1], "children": [0, 1]})),
     ],
 )
-def test_what_is_beside_the_package_is_a_warning(
-    code: str, change: Any, carrier: Path, tmp_path: Path
-) -> None:
+def test_what_is_beside_the_package_is_a_warning(code, change, carrier, tmp_path):
     path = changed(carrier, tmp_path / "a.glb", change)
     assert [issue.code for issue in validate(path)] == [code]
     Package.open(path).close()
 
 
-def test_several_nodes_of_one_package_are_instances(
-    carrier: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_several_nodes_of_one_package_are_instances(carrier, tmp_path, capsys):
     def change(document: Document) -> None:
         document["accessors"].append({"componentType": 5126, "count": 7, "type": "VEC3"})
         attributes = {"attributes": {"TRANSLATION": len(document["accessors"]) - 1}}
@@ -170,9 +161,7 @@ def test_several_nodes_of_one_package_are_instances(
     assert glb["instances"] == 8 and glb["fallback_meshes"] == 1
 
 
-def test_info_says_what_carries_it(
-    carrier: Path, tiny: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_info_says_what_carries_it(carrier, tiny, capsys):
     assert rna_info.main([str(carrier)]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert lines[1].startswith("carried by  a glTF of") and "1 mesh" in lines[1]
@@ -184,9 +173,7 @@ def test_info_says_what_carries_it(
     ("flip", "shown"),
     [(0.274, ", FLIP 0.274"), (1, ", FLIP 1.000"), ("x", ""), (True, ""), (1e300, ""), (-1, "")],
 )
-def test_info_shows_the_error_of_the_fallback(
-    flip: object, shown: str, carrier: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_info_shows_the_error_of_the_fallback(flip, shown, carrier, tmp_path, capsys):
     def change(document: Document) -> None:
         document["nodes"][-1]["extensions"][EXTENSION]["fallbackFlip"] = flip
 
@@ -194,7 +181,7 @@ def test_info_shows_the_error_of_the_fallback(
     assert capsys.readouterr().out.splitlines()[1].endswith(f"its fallback: 1 mesh{shown}")
 
 
-def test_a_package_is_put_back(carrier: Path, tiny: Path, tmp_path: Path) -> None:
+def test_a_package_is_put_back(carrier, tiny, tmp_path):
     """What a tool wrote again without the extension gets the package back; the rest stays."""
     document, blob = opened(carrier)
     document.pop("extensionsUsed")
@@ -214,9 +201,7 @@ def test_a_package_is_put_back(carrier: Path, tiny: Path, tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize("view", [0, 1, 999], ids=["gone", "other", "none"])
-def test_an_extension_without_its_package_gets_it_back(
-    view: int, carrier: Path, tiny: Path, tmp_path: Path
-) -> None:
+def test_an_extension_without_its_package_gets_it_back(view, carrier, tiny, tmp_path):
     """As after gltf-pipeline: the node keeps the extension, with the number of another view."""
 
     def drop(document: Document) -> None:
@@ -237,7 +222,7 @@ def test_an_extension_without_its_package_gets_it_back(
         assert bytes(package.file_data) == tiny.read_bytes()
 
 
-def test_a_fallback_with_packages_is_refused(carrier: Path, tiny: Path, tmp_path: Path) -> None:
+def test_a_fallback_with_packages_is_refused(carrier, tiny, tmp_path):
     several = changed(carrier, tmp_path / "several.glb", CHANGES["two_packages"][1])
     cut = changed(carrier, tmp_path / "cut.glb", CHANGES["package_cut"][1])
     with Package.open(tiny) as package:
@@ -246,7 +231,7 @@ def test_a_fallback_with_packages_is_refused(carrier: Path, tiny: Path, tmp_path
                 with_package(path, package)
 
 
-def test_named_nodes_carry_the_package(carrier: Path, tiny: Path, tmp_path: Path) -> None:
+def test_named_nodes_carry_the_package(carrier, tiny, tmp_path):
     document = {
         "asset": {"version": "2.0"},
         "scenes": [{"nodes": [0, 1, 2]}],
@@ -271,9 +256,7 @@ def test_named_nodes_carry_the_package(carrier: Path, tiny: Path, tmp_path: Path
     assert [issue.code for issue in validate(out)] == ["GLB_FALLBACK"] * 2
 
 
-def test_files_that_cannot_be_a_fallback_are_one_line(
-    tiny: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_files_that_cannot_be_a_fallback_are_one_line(tiny, tmp_path, capsys):
     for name, data in (("a.glb", b"no glTF"), ("b.gltf", b"{}")):
         (tmp_path / name).write_bytes(data)
     written({"scenes": [5], "bufferViews": []}, b"", tmp_path / "c.glb")
@@ -286,6 +269,6 @@ def test_files_that_cannot_be_a_fallback_are_one_line(
     assert not (tmp_path / "out.glb").exists()
 
 
-def test_a_carrier_is_a_package_and_a_model(carrier: Path) -> None:
+def test_a_carrier_is_a_package_and_a_model(carrier):
     assert not_a("package", carrier) is None and not_a("model", carrier) is None
     assert "a package, not a scene" in str(not_a("scene", carrier))

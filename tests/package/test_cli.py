@@ -1,7 +1,6 @@
 """`rna-validate`: what it prints, and its exit status."""
 
 import json
-from pathlib import Path
 
 import pytest
 
@@ -13,18 +12,18 @@ from tests.package.corpus.manifest_cases import wrong_hash
 
 
 @pytest.fixture
-def broken(entries: dict[str, bytes], tmp_path: Path) -> Path:
+def broken(entries, tmp_path):
     path = tmp_path / "broken.rna"
     path.write_bytes(wrong_hash(entries))
     return path
 
 
-def test_valid(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_valid(tiny, capsys):
     assert cli.main([str(tiny)]) == 0
     assert capsys.readouterr().out == f"{tiny}: valid\n"
 
 
-def test_parts_are_told(lantern: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_parts_are_told(lantern, capsys):
     assert cli.main([str(lantern)]) == 0
     assert capsys.readouterr().out.splitlines() == [
         f"{lantern}: part body: surface, transmittance, emission",
@@ -37,9 +36,7 @@ def test_parts_are_told(lantern: Path, capsys: pytest.CaptureFixture[str]) -> No
     assert report["parts"] == [body, {"name": "tuft", "kind": "fiber"}]
 
 
-def test_invalid_names_code_severity_and_pointer(
-    tiny: Path, broken: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_invalid_names_code_severity_and_pointer(tiny, broken, capsys):
     assert cli.main([str(tiny), str(broken)]) == 1
     lines = capsys.readouterr().out.splitlines()
     pointer = "/entries/features~1small.safetensors/sha256"
@@ -47,16 +44,14 @@ def test_invalid_names_code_severity_and_pointer(
     assert lines[2] == f"{broken}: invalid"
 
 
-def test_warning_is_valid(
-    entries: dict[str, bytes], tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_warning_is_valid(entries, tmp_path, capsys):
     path = tmp_path / "warned.rna"
     path.write_bytes(mesh_outside_the_bounds(entries))
     assert cli.main([str(path)]) == 0
     assert "warning GEOMETRY_OUTSIDE at /parts/0/bounds" in capsys.readouterr().out
 
 
-def test_json(tiny: Path, broken: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_json(tiny, broken, capsys):
     assert cli.main(["--json", str(tiny), str(broken)]) == 1
     first, second = json.loads(capsys.readouterr().out)
     parts = [{"name": "asset", "kind": "surface"}]
@@ -69,7 +64,7 @@ def test_json(tiny: Path, broken: Path, capsys: pytest.CaptureFixture[str]) -> N
     assert issue["expected"] == "0" * 64
 
 
-def test_usage_error(capsys: pytest.CaptureFixture[str]) -> None:
+def test_usage_error(capsys):
     with pytest.raises(SystemExit) as caught:
         cli.main([])
     assert caught.value.code == 2
@@ -86,14 +81,14 @@ def test_usage_error(capsys: pytest.CaptureFixture[str]) -> None:
     ],
 )
 def test_a_defect_takes_no_other_report_along(
-    tiny: Path,
-    broken: Path,
-    options: list[str],
-    defect: Exception,
-    said: str,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+    tiny,
+    broken,
+    options,
+    defect,
+    said,
+    monkeypatch,
+    capsys,
+):
     def defect_of_one(path: str) -> Inspection:
         if path == "defect.rna":
             raise defect
@@ -110,6 +105,6 @@ def test_a_defect_takes_no_other_report_along(
         assert lines[0] == f"{tiny}: valid" and lines[-1] == f"{broken}: invalid"
 
 
-def test_what_is_found_is_shown_as_printable_text() -> None:
+def test_what_is_found_is_shown_as_printable_text():
     issue = Issue.of(Code.PLANES_DTYPE, "features/a", "\ud800 \x1b[31m café\n", "F16")
     assert issue.found == r"\ud800 \x1b[31m café\n"

@@ -3,7 +3,6 @@
 import os
 import time
 import zipfile
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,7 +14,7 @@ from rna_sdk.package.limits import MAX_FILE_BYTES
 from tests.package.builders import pack, read_entries
 from tests.package.corpus import container_cases, content_cases, manifest_cases
 from tests.package.corpus.every import CASES
-from tests.package.corpus.registry import Base, Case, Entries, part, tier_part
+from tests.package.corpus.registry import part, tier_part
 
 OUTSIDE_THE_CORPUS = {"FILE_UNREADABLE", "FILE_TOO_LARGE"}
 """Codes about the file itself, with tests of their own below."""
@@ -25,9 +24,7 @@ OF_CARRIERS = {code.name for code in Code if code.name.startswith("GLB_")}
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
-def test_broken_package_gets_its_code(
-    case: Case, good: dict[Base, Entries], tmp_path: Path
-) -> None:
+def test_broken_package_gets_its_code(case, good, tmp_path):
     path = tmp_path / f"{case.name}.rna"
     path.write_bytes(case.breaker(good[case.base]))
     issues = validate(path)
@@ -41,11 +38,11 @@ def test_broken_package_gets_its_code(
         Package.open(path).close()
 
 
-def test_every_code_has_a_case() -> None:
+def test_every_code_has_a_case():
     assert {case.code for case in CASES} | OUTSIDE_THE_CORPUS | OF_CARRIERS == set(Code.__members__)
 
 
-def test_missing_file_folder_and_device(tmp_path: Path) -> None:
+def test_missing_file_folder_and_device(tmp_path):
     for path, actual in (
         (tmp_path / "absent.rna", "No such file or directory"),
         (tmp_path, "a folder"),
@@ -55,13 +52,13 @@ def test_missing_file_folder_and_device(tmp_path: Path) -> None:
         assert (issue.code, issue.found) == ("FILE_UNREADABLE", actual)
 
 
-def test_pipe_is_refused_and_not_waited_for(tmp_path: Path) -> None:
+def test_pipe_is_refused_and_not_waited_for(tmp_path):
     os.mkfifo(tmp_path / "pipe.rna")
     (issue,) = validate(tmp_path / "pipe.rna")
     assert (issue.code, issue.found) == ("FILE_UNREADABLE", "a pipe or a device")
 
 
-def test_name_that_no_file_can_have() -> None:
+def test_name_that_no_file_can_have():
     (issue,) = validate("asset\0.rna")
     assert issue.code == "FILE_UNREADABLE"
 
@@ -75,8 +72,8 @@ def test_name_that_no_file_can_have() -> None:
     ],
 )
 def test_package_that_was_zipped_again_says_so(
-    options: dict, folder: str, backwards: bool, traces: str, entries: Entries, tmp_path: Path
-) -> None:
+    options, folder, backwards, traces, entries, tmp_path
+):
     path = tmp_path / "again.rna"
     with zipfile.ZipFile(path, "w", **options) as archive:
         for name, data in sorted(entries.items(), reverse=not backwards, key=_is_manifest):
@@ -91,14 +88,14 @@ def _is_manifest(entry: tuple[str, bytes]) -> bool:
     return entry[0] == "manifest.json"
 
 
-def test_file_too_large_is_not_read(tmp_path: Path) -> None:
+def test_file_too_large_is_not_read(tmp_path):
     path = tmp_path / "sparse.rna"
     with open(path, "wb") as file:
         file.truncate(MAX_FILE_BYTES + 1)
     assert [issue.code for issue in validate(path)] == ["FILE_TOO_LARGE"]
 
 
-def test_all_issues_of_a_manifest_come_at_once(entries: Entries, tmp_path: Path) -> None:
+def test_all_issues_of_a_manifest_come_at_once(entries, tmp_path):
     path = tmp_path / "many.rna"
 
     def edit(manifest: dict) -> None:
@@ -117,7 +114,7 @@ def test_all_issues_of_a_manifest_come_at_once(entries: Entries, tmp_path: Path)
     }
 
 
-def test_every_flipped_byte_of_a_header_is_noticed(entries: Entries, tmp_path: Path) -> None:
+def test_every_flipped_byte_of_a_header_is_noticed(entries, tmp_path):
     good = pack(entries.items())
     directory = container_cases.read_end(good).directory_offset
     path = tmp_path / "flipped.rna"
@@ -127,7 +124,7 @@ def test_every_flipped_byte_of_a_header_is_noticed(entries: Entries, tmp_path: P
 
 
 @pytest.mark.parametrize("base", ["surface", "fiber", "parts"])
-def test_random_damage_never_escapes(base: Base, good: dict[Base, Entries], tmp_path: Path) -> None:
+def test_random_damage_never_escapes(base, good, tmp_path):
     """Garbage inside entries whose hashes were made to fit gives issues, not exceptions."""
     entries = good[base]
     rng = np.random.default_rng(7)
@@ -142,7 +139,7 @@ def test_random_damage_never_escapes(base: Base, good: dict[Base, Entries], tmp_
         validate(path)
 
 
-def test_a_key_twice_among_very_many_is_found_at_once(entries: Entries, tmp_path: Path) -> None:
+def test_a_key_twice_among_very_many_is_found_at_once(entries, tmp_path):
     """In a time that grows with their number, not with its square: that took minutes."""
     keys = ",".join(f'"{i}":0' for i in [*range(90_000), 89_999])
     path = tmp_path / "keys.rna"
@@ -152,7 +149,7 @@ def test_a_key_twice_among_very_many_is_found_at_once(entries: Entries, tmp_path
     assert time.process_time() - start < 5
 
 
-def test_an_archive_of_another_program_is_told_by_what_differs(tmp_path: Path) -> None:
+def test_an_archive_of_another_program_is_told_by_what_differs(tmp_path):
     path = tmp_path / "other.rna"
     with zipfile.ZipFile(path, "w") as archive:
         archive.writestr("a.txt", "x")

@@ -1,10 +1,7 @@
 """Fiber packages: curves come back as they were written, and each kind keeps to its own."""
 
 import hashlib
-from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -23,7 +20,7 @@ from tests.package.corpus.registry import CURVES
 NAMES = ("points", "radii", "offsets")
 
 
-def test_curves_come_back_as_views(tuft: Path) -> None:
+def test_curves_come_back_as_views(tuft):
     assert validate(tuft) == []
     package = Package.open(tuft)
     assert (package.manifest.parts[0].kind, package.manifest.parts[0].geometry) == ("fiber", CURVES)
@@ -37,27 +34,27 @@ def test_curves_come_back_as_views(tuft: Path) -> None:
     assert curves.points.ctypes.data % 64 == 0
 
 
-def test_same_curves_same_bytes(tmp_path: Path, fiber_entries: dict[str, bytes]) -> None:
+def test_same_curves_same_bytes(tmp_path, fiber_entries):
     first, second = (make_tiny_fiber_package(tmp_path / name).read_bytes() for name in "ab")
     assert first == second
     digest = hashlib.sha256(fiber_entries[CURVES]).hexdigest()
     assert digest == "4b39804fdf030c6db035e1a7d5205b908896b87723518c7a1057bcca2279fbfa"
 
 
-def test_other_software_opens_the_curves(fiber_entries: dict[str, bytes]) -> None:
+def test_other_software_opens_the_curves(fiber_entries):
     tensors = safetensors.numpy.load(fiber_entries[CURVES])
     assert set(tensors) == set(NAMES)
     for name in NAMES:
         np.testing.assert_array_equal(tensors[name], getattr(make_curves(), name))
 
 
-def test_segments_start_at_all_points_but_tips() -> None:
+def test_segments_start_at_all_points_but_tips():
     curves = make_curves()
     assert curves.segments().tolist() == [0, 1, 2, 4, 6, 7]
     assert curves.segments().dtype == np.uint32
 
 
-def test_box_holds_every_sphere() -> None:
+def test_box_holds_every_sphere():
     points = np.float32([[0, 0, 0], [1, 2, 3]])
     curves = Curves(points, np.float32([0.5, 0.25]), np.uint32([0, 2]))
     low, high = curves.box()
@@ -65,7 +62,7 @@ def test_box_holds_every_sphere() -> None:
     assert high.tolist() == [1.25, 2.25, 3.25]
 
 
-def test_each_kind_has_its_own_geometry(tiny: Path, tuft: Path) -> None:
+def test_each_kind_has_its_own_geometry(tiny, tuft):
     with Package.open(tuft) as fiber, Package.open(tiny) as surface:
         with pytest.raises(QueryError, match=r"a fiber part has no mesh; ask for its curves\(\)"):
             fiber.mesh()
@@ -90,9 +87,7 @@ def test_each_kind_has_its_own_geometry(tiny: Path, tuft: Path) -> None:
         (lambda h: h["offsets"].pop("data_offsets"), "offsets/data_offsets"),
     ],
 )
-def test_hostile_header_is_refused_where_it_lies(
-    edit: Callable[[Any], object], place: str, fiber_entries: dict[str, bytes], tmp_path: Path
-) -> None:
+def test_hostile_header_is_refused_where_it_lies(edit, place, fiber_entries, tmp_path):
     path = tmp_path / "x.rna"
     path.write_bytes(with_header(fiber_entries, edit))
     (issue,) = validate(path)
@@ -111,12 +106,12 @@ def test_hostile_header_is_refused_where_it_lies(
         ({"points": np.zeros((9, 3), np.float32)}, "GEOMETRY_SEGMENT"),
     ],
 )
-def test_curves_refuse_wrong_arrays(change: dict[str, Any], code: str) -> None:
+def test_curves_refuse_wrong_arrays(change, code):
     with pytest.raises(PackageError, match=code):
         replace(make_curves(), **change)
 
 
-def test_strands_may_share_a_point() -> None:
+def test_strands_may_share_a_point():
     """Two strands that end and start in one place are no segment."""
     points = np.float32([[0, 0, 0], [0, 1, 0], [0, 1, 0], [0, 2, 0]])
     curves = Curves(points, np.ones(4, np.float32), np.uint32([0, 2, 4]))

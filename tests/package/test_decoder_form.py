@@ -28,7 +28,7 @@ def declared(lobes: int, visibility: str | None = None) -> PartDecoder:
     return EnvironmentPart(**record, **precisions, visibility=visibility).optional_decoder
 
 
-def test_a_decoder_of_lobes_is_checked_and_run() -> None:
+def test_a_decoder_of_lobes_is_checked_and_run():
     decoder = declared(4)
     assert (decoder.columns, decoder.width) == (10, 36)
     assert declared(4, "visibility.safetensors").columns == 26
@@ -43,27 +43,27 @@ def test_a_decoder_of_lobes_is_checked_and_run() -> None:
     assert "expected environment of 54 columns" in str(caught.value)
 
 
-def test_outputs_are_finite_and_not_negative() -> None:
+def test_outputs_are_finite_and_not_negative():
     output = np.array([[np.nan, -1.0, -0.0, 1.0, np.inf, -np.inf]])
     assert allowed(output).tolist() == [[False, False, True, True, False, False]]
     assert TRANSPORT.result_count(None) == 2 and ENVIRONMENT.result_count(None) == 3
 
 
-def test_a_form_without_a_light_has_no_block_of_one() -> None:
+def test_a_form_without_a_light_has_no_block_of_one():
     for kind, axis in (("surface", "normal"), ("fiber", "tangent")):
         assert {"features", "position", axis, "wo"} <= set(EMISSION.blocks(kind))
         assert "wi" not in EMISSION.blocks(kind) and "wi" in TRANSPORT.blocks(kind)
         assert ENVIRONMENT.blocks(kind) == TRANSPORT.blocks(kind)
 
 
-def test_every_form_is_asked_with_arrays_of_the_record() -> None:
+def test_every_form_is_asked_with_arrays_of_the_record():
     known = {array.name for array in QUERY_ARRAYS}
     for form in (*FORMS, ENVIRONMENT):
         assert set(form.arrays) <= known
     assert [column_count(form.arrays) for form in FORMS] == [16, 10]
 
 
-def test_arrays_that_are_not_there_have_others_in_their_place() -> None:
+def test_arrays_that_are_not_there_have_others_in_their_place():
     rows = np.arange(20, dtype=np.float32).reshape(2, 10)
     arrays = arrays_of(rows, EMISSION.arrays)
     assert {name: values.shape for name, values in arrays.items()} == {

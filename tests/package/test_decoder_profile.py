@@ -25,9 +25,7 @@ def with_matrix(decoder: ProfileDecoder) -> ProfileDecoder:
 
 @pytest.mark.parametrize("ending", [lambda decoder: decoder, with_matrix], ids=["unit", "matrix"])
 @BOTH
-def test_what_is_written_is_what_is_read(
-    decoder: ProfileDecoder, ending: Callable[[ProfileDecoder], ProfileDecoder]
-) -> None:
+def test_what_is_written_is_what_is_read(decoder, ending):
     decoder = ending(decoder)
     data = decoder_to_bytes(decoder, "tests")
     onnx.checker.check_model(onnx.load_from_string(data))
@@ -43,7 +41,7 @@ def test_what_is_written_is_what_is_read(
     assert expected.std() > 0.1
 
 
-def test_runs_in_double_precision() -> None:
+def test_runs_in_double_precision():
     queries = np.random.default_rng(0).normal(size=(200, 18))
     for decoder in DECODERS:
         single, double = decoder.run(queries.astype(np.float32)), decoder.run(queries)
@@ -51,7 +49,7 @@ def test_runs_in_double_precision() -> None:
         assert np.isclose(single, double, rtol=1e-3, atol=1e-4).all(axis=1).mean() > 0.98
 
 
-def test_cost_is_a_sum_over_layers() -> None:
+def test_cost_is_a_sum_over_layers():
     decoder = random_decoder(18, 8, 2)
     assert (decoder.values, decoder.multiply_adds) == (8 + 8 + 6 + 6, 18 * 8 + 8 * 8 + 8 * 6)
     mixed = with_matrix(decoder)
@@ -121,7 +119,7 @@ def an_output_before_the_end(model: onnx.ModelProto) -> None:
     ],
 )
 @BOTH
-def test_other_graphs_are_refused(decoder: ProfileDecoder, change: Change) -> None:
+def test_other_graphs_are_refused(decoder, change):
     refused(decoder, change)
 
 
@@ -166,7 +164,7 @@ def scales_along_the_inputs(model: onnx.ModelProto) -> None:
         scales_along_the_inputs,
     ],
 )
-def test_other_quantisations_are_refused(change: Change) -> None:
+def test_other_quantisations_are_refused(change):
     refused(DECODERS[1], change)
 
 

@@ -1,7 +1,5 @@
 """Lobes of parts (RNA_environment): written, read again, replaced, left out."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -10,7 +8,7 @@ from rna_sdk.package.manifest.extensions import Environment, extension
 from tests.package.lobes import FOREST, make_harmonics, make_lobes, with_lobes
 
 
-def test_lobes_come_back(lantern: Path, tmp_path: Path) -> None:
+def test_lobes_come_back(lantern, tmp_path):
     path = with_lobes(lantern, tmp_path / "x.rna", 1)
     assert validate(path) == []
     with Package.open(path) as package, Package.open(lantern) as plain:
@@ -25,7 +23,7 @@ def test_lobes_come_back(lantern: Path, tmp_path: Path) -> None:
         assert package.manifest.extensions_required == ()
 
 
-def test_lobes_are_coded_and_replaced(tiny: Path, tmp_path: Path) -> None:
+def test_lobes_are_coded_and_replaced(tiny, tmp_path):
     path = with_lobes(tiny, tmp_path / "x.rna", 0)
     Unpacked.read(path).deflated().write(tmp_path / "coded.rna")
     with Package.open(tmp_path / "coded.rna") as package:
@@ -41,7 +39,7 @@ def test_lobes_are_coded_and_replaced(tiny: Path, tmp_path: Path) -> None:
     assert validate(path) == []
 
 
-def test_harmonics_are_stored_to_half_a_step() -> None:
+def test_harmonics_are_stored_to_half_a_step():
     coefficients = np.random.default_rng(0).uniform(-1.0, 1.0, (50, 16))
     stored = quantised_harmonics(coefficients)
     assert stored.dtype == np.int8
@@ -49,7 +47,7 @@ def test_harmonics_are_stored_to_half_a_step() -> None:
     assert quantised_harmonics(np.float32([[2.0, -2.0]])).tolist() == [[127, -127]]
 
 
-def test_lobes_of_a_tier_that_is_not_there(tiny: Path) -> None:
+def test_lobes_of_a_tier_that_is_not_there(tiny):
     with Package.open(tiny) as package:
         lobes = make_lobes(package)
     wrong = type(lobes)("none", lobes.lobes, lobes.inputs, lobes.decoder)

@@ -1,7 +1,6 @@
 """rna-info: what a package says of itself."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -21,7 +20,7 @@ TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
 CURLS = REPOSITORY / "examples" / "fibers" / "curly_ball.rna"
 
 
-def test_it_says_what_the_package_records(capsys: pytest.CaptureFixture[str]) -> None:
+def test_it_says_what_the_package_records(capsys):
     assert main([str(TOY)]) == 0
     said = capsys.readouterr().out
     for part in (
@@ -43,7 +42,7 @@ def test_it_says_what_the_package_records(capsys: pytest.CaptureFixture[str]) ->
     assert "note" not in said
 
 
-def test_the_error_is_told_in_words(tmp_path: Path) -> None:
+def test_the_error_is_told_in_words(tmp_path):
     info = package_info(make_tiny_package(tmp_path / "tiny.rna"))
     (tier,) = info["tiers"]
     tier.update(psnr=38.92, flip=0.081, flip_p95=0.25)
@@ -52,7 +51,7 @@ def test_the_error_is_told_in_words(tmp_path: Path) -> None:
     assert "small: PSNR 38.92 dB; " in "\n".join(info_lines(info))
 
 
-def test_lobes_are_told_with_their_error(tmp_path: Path) -> None:
+def test_lobes_are_told_with_their_error(tmp_path):
     info = package_info(with_lobes(make_tiny_package(tmp_path / "tiny.rna"), tmp_path / "lit.rna"))
     assert info["parts"][0]["has"] == ["4 lobes"]
     assert info["lobes"] == [FOREST.model_dump(mode="json", by_alias=False)]
@@ -61,7 +60,7 @@ def test_lobes_are_told_with_their_error(tmp_path: Path) -> None:
     assert any(line.endswith("RNA_environment") for line in lines)
 
 
-def test_images_of_base_colour_are_listed(tmp_path: Path) -> None:
+def test_images_of_base_colour_are_listed(tmp_path):
     path = make_print(tmp_path / "print.rna")
     info = package_info(path)
     (part,) = info["parts"]
@@ -77,7 +76,7 @@ def test_images_of_base_colour_are_listed(tmp_path: Path) -> None:
     assert any(line.endswith("float32 decoder, float32 for shadowed light") for line in lines)
 
 
-def test_a_glb_has_the_print_at_its_vertices(tmp_path: Path) -> None:
+def test_a_glb_has_the_print_at_its_vertices(tmp_path):
     """A record of red, green or blue alone is so at the vertices of its triangles."""
     records = tuple(
         BaseColorRecord(triangles=(k, 1), factor=tuple(np.eye(3)[k % 3].tolist())) for k in range(4)
@@ -95,12 +94,12 @@ def test_a_glb_has_the_print_at_its_vertices(tmp_path: Path) -> None:
     assert main([str(path), "--glb", str(tmp_path / "print.glb")]) == 0
 
 
-def test_strands_are_counted(capsys: pytest.CaptureFixture[str]) -> None:
+def test_strands_are_counted(capsys):
     assert main([str(CURLS)]) == 0
     assert "asset: fiber, 9,000 strands, 162,000 points" in capsys.readouterr().out
 
 
-def test_json_has_the_same_for_programs(capsys: pytest.CaptureFixture[str]) -> None:
+def test_json_has_the_same_for_programs(capsys):
     assert main([str(TOY), "--json"]) == 0
     info = json.loads(capsys.readouterr().out)
     assert info == json.loads(json.dumps(package_info(TOY)))
@@ -108,7 +107,7 @@ def test_json_has_the_same_for_programs(capsys: pytest.CaptureFixture[str]) -> N
     assert info["poster"] == {"width": 320, "height": 291} and info["bytes"] == TOY.stat().st_size
 
 
-def test_the_poster_is_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_poster_is_written(tmp_path, capsys):
     assert main([str(TOY), "--poster", str(tmp_path / "toy.png")]) == 0
     with Package.open(TOY) as package:
         assert (tmp_path / "toy.png").read_bytes() == package.poster()
@@ -119,7 +118,7 @@ def test_the_poster_is_written(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert (tmp_path / "tiny.rna").read_bytes() == before
 
 
-def test_what_is_not_recorded_is_said_and_nothing_reaches_the_terminal(tmp_path: Path) -> None:
+def test_what_is_not_recorded_is_said_and_nothing_reaches_the_terminal(tmp_path):
     make_tiny_package(
         tmp_path / "bare.rna",
         domain=Domain(wo="hemisphere", wi=(Cone(axis=(0, 1, 0), half_angle=1.0),)),
@@ -134,7 +133,7 @@ def test_what_is_not_recorded_is_said_and_nothing_reaches_the_terminal(tmp_path:
     assert "poster      none" in lines and "extensions  none" in lines
 
 
-def test_a_cut_of_direct_light_is_said(tmp_path: Path) -> None:
+def test_a_cut_of_direct_light_is_said(tmp_path):
     record = Provenance(source="s", tool="t", capture={"lights": 40, "clampDirect": 20.0})
     make_tiny_package(tmp_path / "cut.rna", provenance=record)
     lines = info_lines(package_info(tmp_path / "cut.rna"))
@@ -150,7 +149,7 @@ def test_a_cut_of_direct_light_is_said(tmp_path: Path) -> None:
         ("broken.rna", "error"),
     ],
 )
-def test_another_file_is_one_line(tmp_path: Path, capsys, name: str, message: str) -> None:
+def test_another_file_is_one_line(tmp_path, capsys, name, message):
     for made in ("h.glb", "s.yaml", "broken.rna"):
         (tmp_path / made).write_bytes(b"PK")
     assert main([str(tmp_path / name)]) == 1

@@ -14,7 +14,7 @@ from rna_sdk.package.manifest.manifest_reader import parse_manifest
 from rna_sdk.package.manifest.schema import manifest_schema
 from tests.package.corpus.content_cases import with_gltf
 from tests.package.corpus.curve_cases import with_header
-from tests.package.corpus.registry import Base, Entries, tier_part
+from tests.package.corpus.registry import tier_part
 
 SPEC = Path(__file__).parents[2] / "spec" / "RNA.md"
 TEXT = re.sub(r"\s+", " ", SPEC.read_text(encoding="utf-8"))
@@ -225,22 +225,18 @@ def codes_of(text: str) -> set[str]:
 
 
 @pytest.fixture(scope="module")
-def schema() -> Any:
+def schema():
     return jsonschema.Draft202012Validator(json.loads(manifest_schema()))
 
 
 @pytest.mark.parametrize(("where", "value", "code", "sentence"), VALUES)
-def test_reader_schema_and_text_agree(
-    where: str, value: str, code: str, sentence: str, entries: dict[str, bytes], schema: Any
-) -> None:
+def test_reader_schema_and_text_agree(where, value, code, sentence, entries, schema):
     text = with_value(entries["manifest.json"], where, value)
     check(text, code, sentence, schema)
 
 
 @pytest.mark.parametrize(("where", "value", "code", "sentence"), VALUES_OF_PARTS)
-def test_reader_schema_and_text_agree_on_parts(
-    where: str, value: str, code: str, sentence: str, good: dict[Base, Entries], schema: Any
-) -> None:
+def test_reader_schema_and_text_agree_on_parts(where, value, code, sentence, good, schema):
     text = with_value(good["parts"]["manifest.json"], where, value)
     check(text, code, sentence, schema)
 
@@ -253,7 +249,7 @@ def check(text: str, code: str, sentence: str, schema: Any) -> None:
     assert sentence in TEXT
 
 
-def test_spelling_of_a_number_changes_nothing(entries: dict[str, bytes]) -> None:
+def test_spelling_of_a_number_changes_nothing(entries):
     plain, spelt = (
         parse_manifest(with_value(entries["manifest.json"], PLANES_SIZE, size).encode())
         for size in ("1500", "1.5e3")
@@ -262,9 +258,7 @@ def test_spelling_of_a_number_changes_nothing(entries: dict[str, bytes]) -> None
     assert type(spelt.entries["features/small.safetensors"].size) is int
 
 
-def test_integers_of_other_files_follow_the_same_rule(
-    entries: dict[str, bytes], fiber_entries: dict[str, bytes], tmp_path: Path
-) -> None:
+def test_integers_of_other_files_follow_the_same_rule(entries, fiber_entries, tmp_path):
     path = tmp_path / "spelt.rna"
     for data in (
         with_gltf(entries, lambda g: g["accessors"][0].update(count=12.0, componentType=5126.0)),
@@ -275,7 +269,7 @@ def test_integers_of_other_files_follow_the_same_rule(
         assert validate(path) == []
 
 
-def test_false_is_no_zero_in_a_mesh(entries: dict[str, bytes], tmp_path: Path) -> None:
+def test_false_is_no_zero_in_a_mesh(entries, tmp_path):
     path = tmp_path / "converted.rna"
     for data in (
         with_gltf(entries, lambda g: g["bufferViews"][1].update(buffer=False)),
@@ -287,7 +281,7 @@ def test_false_is_no_zero_in_a_mesh(entries: dict[str, bytes], tmp_path: Path) -
         assert [issue.code for issue in validate(path)] == ["GEOMETRY_PROFILE"]
 
 
-def test_bounds_are_rounded_for_every_reader(entries: dict[str, bytes]) -> None:
+def test_bounds_are_rounded_for_every_reader(entries):
     text = with_value(entries["manifest.json"], "/parts/0/bounds/min/0", "0.1")
     manifest = parse_manifest(text.encode())
     corners = manifest.parts[0].bounds.corners()
@@ -336,9 +330,7 @@ def measured(manifest: dict[str, Any]) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize(("base", "below"), [("surface", ""), ("parts", ("/parts", "/tiers/0"))])
-def test_reader_and_schema_agree_wherever_a_value_stands(
-    base: Base, below: str | tuple[str, ...], good: dict[Base, Entries], schema: Any
-) -> None:
+def test_reader_and_schema_agree_wherever_a_value_stands(base, below, good, schema):
     manifest = json.loads(good[base]["manifest.json"])
     manifest = measured(manifest)
     data = json.dumps(manifest).encode()

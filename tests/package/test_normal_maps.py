@@ -1,7 +1,6 @@
 """Packages with normal maps are read as written, in any form of the file."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -23,12 +22,12 @@ from tests.package.relief import BARK, DENT, make_maps, make_relief, make_relief
 
 
 @pytest.fixture(scope="module")
-def relief(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def relief(tmp_path_factory):
     """Path of a good package with normal maps; do not change it."""
     return make_relief(tmp_path_factory.mktemp("relief") / "relief.rna")
 
 
-def test_normal_maps_come_back(relief: Path) -> None:
+def test_normal_maps_come_back(relief):
     assert validate(relief) == []
     with Package.open(relief) as package:
         assert package.manifest.parts == make_relief_manifest().parts
@@ -45,13 +44,13 @@ def test_normal_maps_come_back(relief: Path) -> None:
     assert [record.count for record in part.normal_maps] == [2, 1]
 
 
-def test_a_package_without_is_none_the_wiser(lantern: Path) -> None:
+def test_a_package_without_is_none_the_wiser(lantern):
     with Package.open(lantern) as package:
         assert package.normal_maps(0) == [] and package.normal_maps(1) == []
     assert "normalMaps" not in json.loads(read_entries(lantern)["manifest.json"])["parts"][0]
 
 
-def test_maps_stay_with_holes_and_quantised_geometry(tmp_path: Path) -> None:
+def test_maps_stay_with_holes_and_quantised_geometry(tmp_path):
     """A part with both kinds of records, whose ranges cross."""
     lantern = make_lantern_manifest()
     record = NormalMapRecord(triangles=(1, 2), texture=BARK)
@@ -76,9 +75,7 @@ def test_maps_stay_with_holes_and_quantised_geometry(tmp_path: Path) -> None:
         (0, {"ior": [1.5, 1.5]}, "/parts/0/normalMaps/0/ior"),
     ],
 )
-def test_issues_tell_the_place_in_the_file(
-    number: int, changes: dict, where: str, relief: Path
-) -> None:
+def test_issues_tell_the_place_in_the_file(number, changes, where, relief):
     manifest = json.loads(read_entries(relief)["manifest.json"])
     manifest["parts"][0]["normalMaps"][number].update(changes)
     with pytest.raises(PackageError) as caught:
@@ -86,7 +83,7 @@ def test_issues_tell_the_place_in_the_file(
     assert caught.value.issues[0].pointer_or_offset == where
 
 
-def test_what_is_no_map_is_not_written(tmp_path: Path) -> None:
+def test_what_is_no_map_is_not_written(tmp_path):
     manifest, path, maps = make_relief_manifest(), tmp_path / "x.rna", make_maps()
     data = {tier.name: make_tier_data(tier) for tier in manifest.tiers}
     bare = make_mesh(uvs=False)

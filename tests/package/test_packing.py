@@ -37,13 +37,13 @@ def png(width: int = 3, height: int = 2) -> bytes:
 @pytest.mark.parametrize("element_size", [1, 2, 4])
 @pytest.mark.parametrize("distance", [0, 1, 3, 7, 500, 2**53 - 1])
 @pytest.mark.parametrize("size", [0, 1, 3, 4, 257, 1026])
-def test_coding_gives_back_every_byte(element_size: int, distance: int, size: int) -> None:
+def test_coding_gives_back_every_byte(element_size, distance, size):
     data = np.random.default_rng(size).bytes(size)
     stream = encode(data, element_size, distance)
     assert decode(stream, size, element_size, distance) == data
 
 
-def test_coding_of_the_specification() -> None:
+def test_coding_of_the_specification():
     """Worked by hand: elements 0x0102, 0x0104, 0x0001, and a byte behind."""
     data = bytes.fromhex("0201 0401 0100 ff".replace(" ", ""))
     coded = bytes.fromhex("02 02 fd 01 00 fe ff".replace(" ", ""))
@@ -51,7 +51,7 @@ def test_coding_of_the_specification() -> None:
     assert zlib.decompress(encode(data, 2, 1)) == coded
 
 
-def test_no_more_is_inflated_than_declared() -> None:
+def test_no_more_is_inflated_than_declared():
     bomb = zlib.compress(bytes(2**24))
     tracemalloc.start()
     try:
@@ -62,7 +62,7 @@ def test_no_more_is_inflated_than_declared() -> None:
         tracemalloc.stop()
 
 
-def test_deflated_package_is_the_same_asset(tuft: Path, tmp_path: Path) -> None:
+def test_deflated_package_is_the_same_asset(tuft, tmp_path):
     coded, plain = tmp_path / "coded.rna", tmp_path / "plain.rna"
     assert main([str(tuft), "--out", str(coded), "--deflate"]) == 0
     stored, whole = (Container.of(read_file(p), p).entries for p in (coded, tuft))
@@ -78,7 +78,7 @@ def test_deflated_package_is_the_same_asset(tuft: Path, tmp_path: Path) -> None:
     assert plain.read_bytes() == tuft.read_bytes()
 
 
-def test_entry_that_would_inflate_too_far_stays_as_it_is(tiny: Path, tmp_path: Path) -> None:
+def test_entry_that_would_inflate_too_far_stays_as_it_is(tiny, tmp_path):
     path, png_of_zeros = tmp_path / "zeros.rna", png() + bytes(2**21)
     package = Unpacked.read(tiny).with_poster(png_of_zeros).deflated()
     package.write(path)
@@ -88,7 +88,7 @@ def test_entry_that_would_inflate_too_far_stays_as_it_is(tiny: Path, tmp_path: P
         assert opened.poster() == png_of_zeros
 
 
-def test_a_pipe_or_device_is_no_package(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_pipe_or_device_is_no_package(tmp_path, capsys):
     """Neither is opened, not to see whether a ZIP program wrote it either: it may never end."""
     os.mkfifo(tmp_path / "pipe.rna")
     with time_limit(20):
@@ -96,23 +96,21 @@ def test_a_pipe_or_device_is_no_package(tmp_path: Path, capsys: pytest.CaptureFi
     assert "Found a pipe or a device; expected a file" in capsys.readouterr().err
 
 
-def test_a_pipe_is_no_poster(
-    tiny: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_pipe_is_no_poster(tiny, tmp_path, capsys):
     os.mkfifo(tmp_path / "pipe.png")
     arguments = [str(tiny), "--out", str(tmp_path / "x.rna"), "--poster"]
     assert main([*arguments, str(tmp_path / "pipe.png")]) == 1
     assert "is a pipe or a device" in capsys.readouterr().err
 
 
-def test_coding_twice_changes_nothing(tiny: Path, tmp_path: Path) -> None:
+def test_coding_twice_changes_nothing(tiny, tmp_path):
     once = tmp_path / "once.rna"
     Unpacked.read(tiny).deflated().write(once)
     Unpacked.read(once).deflated().write(tmp_path / "twice.rna")
     assert once.read_bytes() == (tmp_path / "twice.rna").read_bytes()
 
 
-def test_poster_replaces_the_one_before(tiny: Path, tmp_path: Path) -> None:
+def test_poster_replaces_the_one_before(tiny, tmp_path):
     picture, out = tmp_path / "poster.png", tmp_path / "out.rna"
     for size in ((3, 2), (5, 4)):
         picture.write_bytes(png(*size))
@@ -124,9 +122,7 @@ def test_poster_replaces_the_one_before(tiny: Path, tmp_path: Path) -> None:
     assert validate(out) == []
 
 
-def test_poster_that_is_no_png_is_refused(
-    tiny: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_poster_that_is_no_png_is_refused(tiny, tmp_path, capsys):
     out = str(tmp_path / "out.rna")
     assert main([str(tiny), "--out", out, "--poster", str(tiny)]) == 1
     assert "POSTER_IMAGE" in capsys.readouterr().err
@@ -135,7 +131,7 @@ def test_poster_that_is_no_png_is_refused(
     assert not Path(out).exists()
 
 
-def test_standin_and_proxy_come_back(tiny: Path, tmp_path: Path) -> None:
+def test_standin_and_proxy_come_back(tiny, tmp_path):
     material = StandinMaterial(base_color=(0.5, 0.25, 0.125), roughness=0.5, metallic=0.25)
     proxy = quantise(make_mesh())
     unpacked = Unpacked.read(tiny).with_extension(Standin(parts=(material,)), {})
@@ -152,7 +148,7 @@ def test_standin_and_proxy_come_back(tiny: Path, tmp_path: Path) -> None:
     assert read_entries(tmp_path / "again.rna") == read_entries(tmp_path / "x.rna")
 
 
-def test_broken_package_is_not_packed(tmp_path: Path) -> None:
+def test_broken_package_is_not_packed(tmp_path):
     (tmp_path / "bad.rna").write_bytes(b"no package")
     with pytest.raises(PackageError, match="ZIP_NOT_ZIP"):
         Unpacked.read(tmp_path / "bad.rna")

@@ -2,7 +2,6 @@
 
 import json
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -30,7 +29,7 @@ from tests.package.lantern import (
 )
 
 
-def test_every_part_comes_back(lantern: Path) -> None:
+def test_every_part_comes_back(lantern):
     assert validate(lantern) == []
     manifest = make_lantern_manifest()
     with Package.open(lantern) as package:
@@ -54,7 +53,7 @@ def test_every_part_comes_back(lantern: Path) -> None:
     assert not holes.texture.flags.writeable and not holes.texture.flags.owndata
 
 
-def test_a_part_that_is_not_there(lantern: Path) -> None:
+def test_a_part_that_is_not_there(lantern):
     with Package.open(lantern) as package:
         for part in (2, -1):
             for ask in (package.geometry, package.transmittance):
@@ -68,7 +67,7 @@ def test_a_part_that_is_not_there(lantern: Path) -> None:
             package.mesh(1)
 
 
-def test_entries_are_in_the_order_of_use(lantern: Path) -> None:
+def test_entries_are_in_the_order_of_use(lantern):
     tuft = [(f"features/{t}-tuft.safetensors", f"decoders/{t}-tuft.onnx") for t in ("small", "hq")]
     body = [(f"decoders/{t}-body.onnx", f"decoders/{t}-body-glow.onnx") for t in ("small", "hq")]
     assert list(read_entries(lantern)) == [
@@ -80,7 +79,7 @@ def test_entries_are_in_the_order_of_use(lantern: Path) -> None:
     ]
 
 
-def test_equal_geometry_is_stored_once(tmp_path: Path) -> None:
+def test_equal_geometry_is_stored_once(tmp_path):
     parts = make_lantern_manifest().parts[:1]
     parts = (parts[0], parts[0].model_copy(update={"name": "twin"}))
     tier = make_tier()
@@ -123,7 +122,7 @@ def test_equal_geometry_is_stored_once(tmp_path: Path) -> None:
         ),
     ],
 )
-def test_issues_tell_the_place_in_the_file(edit: Any, where: str, lantern: Path) -> None:
+def test_issues_tell_the_place_in_the_file(edit, where, lantern):
     manifest = json.loads(read_entries(lantern)["manifest.json"])
     edit(manifest)
     with pytest.raises(PackageError) as caught:
@@ -131,7 +130,7 @@ def test_issues_tell_the_place_in_the_file(edit: Any, where: str, lantern: Path)
     assert caught.value.issues[0].pointer_or_offset == where
 
 
-def test_what_does_not_fit_the_manifest_is_not_written(tmp_path: Path) -> None:
+def test_what_does_not_fit_the_manifest_is_not_written(tmp_path):
     manifest, path = make_lantern_manifest(), tmp_path / "x.rna"
     geometries, textures = [make_mesh(), make_curves()], make_textures()
     good = make_lantern_data(manifest)
@@ -156,9 +155,7 @@ def test_what_does_not_fit_the_manifest_is_not_written(tmp_path: Path) -> None:
     assert make_lantern(path).read_bytes() == make_lantern(tmp_path / "y.rna").read_bytes()
 
 
-def test_an_entry_of_many_tiers_is_checked_once(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_entry_of_many_tiers_is_checked_once(tmp_path, monkeypatch):
     from rna_sdk.package import validator
 
     tiers = [make_tier(f"t{k}", planes="features/p", decoder="decoders/d") for k in range(16)]

@@ -1,7 +1,6 @@
 """Quantised geometry: near the original, the same arrays from every file, opened by others."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -63,7 +62,7 @@ def assert_same(a: Geometry, b: Geometry) -> None:
     ],
     ids=["flat", "no uvs", "ball", "uvs beyond 1", "strands", "tuft", "fine steps"],
 )
-def test_file_gives_back_the_very_arrays(geometry: Geometry) -> None:
+def test_file_gives_back_the_very_arrays(geometry):
     kind = "surface" if isinstance(geometry, Mesh) else "fiber"
     quantised = quantise(geometry)
     data = geometry_to_bytes(quantised, kind, "/geometry")
@@ -74,7 +73,7 @@ def test_file_gives_back_the_very_arrays(geometry: Geometry) -> None:
     assert quantise(again) is again
 
 
-def test_mesh_is_off_by_half_a_step() -> None:
+def test_mesh_is_off_by_half_a_step():
     mesh = make_ball()
     quantised = quantise(mesh)
     low, high = mesh.box()
@@ -87,7 +86,7 @@ def test_mesh_is_off_by_half_a_step() -> None:
     assert len(mesh_to_glb(quantised)) < 0.6 * len(mesh_to_glb(mesh))
 
 
-def test_strands_are_off_by_half_a_step() -> None:
+def test_strands_are_off_by_half_a_step():
     curves = make_tuft()
     quantised = quantise(curves)
     step = quantised.quantised.scales[0]
@@ -100,7 +99,7 @@ def test_strands_are_off_by_half_a_step() -> None:
     assert len(curves_to_bytes(quantised)) < 0.52 * len(curves_to_bytes(curves))
 
 
-def test_radii_of_a_fine_tip_take_16_bits() -> None:
+def test_radii_of_a_fine_tip_take_16_bits():
     curves = make_tuft()
     tapered = replace(curves, radii=np.where(curves.radii < 0.0007, 1e-5, curves.radii))
     quantised = quantise(tapered)
@@ -108,7 +107,7 @@ def test_radii_of_a_fine_tip_take_16_bits() -> None:
     assert np.abs(quantised.radii / tapered.radii - 1).max() < 0.01
 
 
-def test_points_within_a_step_are_left_out() -> None:
+def test_points_within_a_step_are_left_out():
     points = np.float32([[0, 0, 0], [1e-9, 0, 0], [1, 0, 0], [1, 1e-8, 0], [0, 1, 0]])
     short = np.float32([[0, 0, 2], [0, -1e-9, 2], [0, -2e-9, 2]])
     curves = Curves(
@@ -121,14 +120,14 @@ def test_points_within_a_step_are_left_out() -> None:
     assert quantised.points[3:].tolist() == [[0, 0, 2], [0, -step, 2]]
 
 
-def test_far_from_the_origin_no_two_points_meet() -> None:
+def test_far_from_the_origin_no_two_points_meet():
     curves = make_tuft(radius=1e-5)
     far = quantise(replace(curves, points=curves.points + np.float32(1000)))
     assert far.quantised.scales[0] > 1e-5 / 50
     assert_same(far, curves_from_bytes(memoryview(curves_to_bytes(far)), "entry"))
 
 
-def test_rule_of_the_specification() -> None:
+def test_rule_of_the_specification():
     """Worked by hand: two strands, of three points and of two."""
     stored = QuantisedCurves(
         scales=np.float32([0.5, 0.25]),
@@ -143,7 +142,7 @@ def test_rule_of_the_specification() -> None:
     assert curves.radii.tolist() == [0.25, 0.5, 0.75, 1.0, 1.25]
 
 
-def test_changed_copy_is_no_longer_quantised() -> None:
+def test_changed_copy_is_no_longer_quantised():
     mesh = quantise(make_ball())
     moved = replace(mesh, positions=mesh.positions + np.float32(0.1))
     assert moved.quantised is None
@@ -151,14 +150,14 @@ def test_changed_copy_is_no_longer_quantised() -> None:
     np.testing.assert_array_equal(again.positions, moved.positions)
 
 
-def test_many_vertices_have_long_indices() -> None:
+def test_many_vertices_have_long_indices():
     ball = make_ball(7)
     assert len(ball.positions) > 65535
     quantised = quantise(ball)
     assert_same(quantised, mesh_from_glb(memoryview(mesh_to_glb(quantised)), "entry"))
 
 
-def test_a_package_has_the_quantised_mesh(tmp_path: Path) -> None:
+def test_a_package_has_the_quantised_mesh(tmp_path):
     tier = make_tier()
     data = {"small": make_tier_data(tier)}
     mesh = quantise(make_mesh())
@@ -167,7 +166,7 @@ def test_a_package_has_the_quantised_mesh(tmp_path: Path) -> None:
         assert_same(package.mesh(), mesh)
 
 
-def test_other_software_opens_a_quantised_mesh(tmp_path: Path) -> None:
+def test_other_software_opens_a_quantised_mesh(tmp_path):
     mesh = quantise(make_ball())
     (tmp_path / "mesh.glb").write_bytes(mesh_to_glb(mesh))
     loaded = trimesh.load(tmp_path / "mesh.glb", process=False).to_geometry()

@@ -4,7 +4,6 @@ import hashlib
 import struct
 import zipfile
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import onnxruntime
@@ -37,7 +36,7 @@ from tests.package.builders import (
 )
 
 
-def test_arrays_and_manifest_come_back(tmp_path: Path) -> None:
+def test_arrays_and_manifest_come_back(tmp_path):
     validation = Validation(psnr=38.5, flip=0.02, relative_mse=0.1, images=4, definition="test")
     cost = Cost(multiply_adds=1000, ns_per_query=50.5, threads=2, machine="test")
     small = make_tier(validation=validation, cost=cost)
@@ -59,7 +58,7 @@ def test_arrays_and_manifest_come_back(tmp_path: Path) -> None:
             assert bytes(package.decoder(name)) == tier_data.decoder
 
 
-def test_int8_planes_come_back(tmp_path: Path) -> None:
+def test_int8_planes_come_back(tmp_path):
     path = make_tiny_package(tmp_path / "int8.rna", make_tier(plane_precision="int8"))
     planes, written = Package.open(path).planes("small"), make_planes(precision="int8")
     assert (planes.texels.dtype, planes.scales.dtype) == (np.int8, np.float32)
@@ -70,7 +69,7 @@ def test_int8_planes_come_back(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("precision", ["float32", "float16", "int8"])
-def test_planes_of_any_precision_as_float32(precision: str) -> None:
+def test_planes_of_any_precision_as_float32(precision):
     stored = make_planes(precision=precision)
     planes = float_planes(stored)
     assert (planes.shape, planes.dtype) == ((3, 8, 8, 4), np.float32)
@@ -79,21 +78,21 @@ def test_planes_of_any_precision_as_float32(precision: str) -> None:
     np.testing.assert_array_equal(planes, np.float32(texels) * scales)
 
 
-def test_mesh_without_uvs(tmp_path: Path) -> None:
+def test_mesh_without_uvs(tmp_path):
     tier = make_tier()
     mesh = make_mesh(uvs=False)
     write_package(tmp_path / "x.rna", make_manifest(), [mesh], {"small": make_tier_data(tier)})
     assert Package.open(tmp_path / "x.rna").mesh().uvs is None
 
 
-def test_same_input_same_bytes(tmp_path: Path) -> None:
+def test_same_input_same_bytes(tmp_path):
     first = make_tiny_package(tmp_path / "first.rna").read_bytes()
     second = make_tiny_package(tmp_path / "second.rna").read_bytes()
     assert first == second
     assert make_tiny_package(tmp_path / "first.rna", name="other").read_bytes() != first
 
 
-def test_byte_layout_is_pinned(tmp_path: Path) -> None:
+def test_byte_layout_is_pinned(tmp_path):
     """The container and geometry bytes are part of the format's promise: same input, same file.
 
     The decoder is left out, as its bytes come from the onnx package.
@@ -105,7 +104,7 @@ def test_byte_layout_is_pinned(tmp_path: Path) -> None:
     assert struct.unpack_from("<IHHHHH", path.read_bytes()) == (0x04034B50, 20, 0, 0, 0, 0x21)
 
 
-def test_planes_are_views_of_the_file(tiny: Path) -> None:
+def test_planes_are_views_of_the_file(tiny):
     package = Package.open(tiny)
     planes = package.planes("small")
     base: object = planes
@@ -119,7 +118,7 @@ def test_planes_are_views_of_the_file(tiny: Path) -> None:
     assert not package.mesh().positions.flags.owndata
 
 
-def test_a_file_that_is_written_in_place_changes_nothing(tiny: Path, tmp_path: Path) -> None:
+def test_a_file_that_is_written_in_place_changes_nothing(tiny, tmp_path):
     path = tmp_path / "a.rna"
     path.write_bytes(tiny.read_bytes())
     planes = Package.open(path).planes("small")
@@ -129,7 +128,7 @@ def test_a_file_that_is_written_in_place_changes_nothing(tiny: Path, tmp_path: P
     np.testing.assert_array_equal(planes, make_planes())
 
 
-def test_views_outlive_the_package(tiny: Path) -> None:
+def test_views_outlive_the_package(tiny):
     with Package.open(tiny) as package:
         planes = package.planes("small")
     np.testing.assert_array_equal(planes, make_planes())
@@ -137,7 +136,7 @@ def test_views_outlive_the_package(tiny: Path) -> None:
         package.mesh()
 
 
-def test_entries_are_aligned_and_stored(tiny: Path) -> None:
+def test_entries_are_aligned_and_stored(tiny):
     container = Container.of(read_file(tiny), tiny)
     assert all(entry.offset % 64 == 0 for entry in container.entries.values())
     with zipfile.ZipFile(tiny) as archive:
@@ -148,7 +147,7 @@ def test_entries_are_aligned_and_stored(tiny: Path) -> None:
     assert {info.date_time for info in infos} == {(1980, 1, 1, 0, 0, 0)}
 
 
-def test_other_software_opens_the_entries(entries: dict[str, bytes], tmp_path: Path) -> None:
+def test_other_software_opens_the_entries(entries, tmp_path):
     planes = safetensors.numpy.load(entries["features/small.safetensors"])["planes"]
     np.testing.assert_array_equal(planes, make_planes())
     (tmp_path / "mesh.glb").write_bytes(entries["geometry/mesh.glb"])
@@ -160,7 +159,7 @@ def test_other_software_opens_the_entries(entries: dict[str, bytes], tmp_path: P
     assert [value.name for value in session.get_inputs()] == ["queries"]
 
 
-def test_tier_lookup_names_the_tiers(tiny: Path) -> None:
+def test_tier_lookup_names_the_tiers(tiny):
     with pytest.raises(QueryError, match=r"no tier 'hq'; this package has: small"):
         Package.open(tiny).planes("hq")
 
@@ -175,7 +174,7 @@ def test_tier_lookup_names_the_tiers(tiny: Path) -> None:
         ({"decoder": make_decoder("float32", 4)}, "DECODER_PROFILE"),
     ],
 )
-def test_writer_refuses_what_does_not_fit(tmp_path: Path, change: dict, code: str) -> None:
+def test_writer_refuses_what_does_not_fit(tmp_path, change, code):
     path = tmp_path / "x.rna"
     path.write_bytes(b"what was there before")
     data = replace(make_part_data(make_tier_part()), **change)
@@ -185,12 +184,12 @@ def test_writer_refuses_what_does_not_fit(tmp_path: Path, change: dict, code: st
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_writer_wants_data_for_each_tier(tmp_path: Path) -> None:
+def test_writer_wants_data_for_each_tier(tmp_path):
     with pytest.raises(PackageError, match="REFERENCE_MISSING"):
         write_package(tmp_path / "x.rna", make_manifest(), [make_mesh()], {})
 
 
-def test_tiers_may_share_planes(tmp_path: Path) -> None:
+def test_tiers_may_share_planes(tmp_path):
     shared = {"planes": "features/shared.safetensors"}
     tiers = (make_tier("a", **shared), make_tier("b", **shared))
     decoders = [make_decoder("float32", seed=s) for s in (1, 2)]
@@ -204,7 +203,7 @@ def test_tiers_may_share_planes(tmp_path: Path) -> None:
         write_package(tmp_path / "x.rna", make_manifest(*tiers), [make_mesh()], data)
 
 
-def test_mesh_refuses_wrong_arrays() -> None:
+def test_mesh_refuses_wrong_arrays():
     good = make_mesh()
     for change in (
         {"positions": good.positions.astype(np.float64)},

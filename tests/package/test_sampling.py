@@ -32,7 +32,7 @@ def with_sampling(package: Path, *mixtures: Mixture) -> Path:
     return package
 
 
-def test_lobes_of_a_part_are_read_again(tmp_path: Path) -> None:
+def test_lobes_of_a_part_are_read_again(tmp_path):
     tiny = with_sampling(make_tiny_package(tmp_path / "tiny.rna"), *MIXTURES)
     fibers = with_sampling(make_tiny_fiber_package(tmp_path / "fibers.rna"), *CONES)
     assert load(tiny).parts[0].sampling == MIXTURES
@@ -40,7 +40,7 @@ def test_lobes_of_a_part_are_read_again(tmp_path: Path) -> None:
     assert package_info(tiny)["parts"][0]["has"] == ["rays in 2 mixtures of lobes"]
 
 
-def test_without_them_a_part_has_the_usual_ones_of_its_kind(tmp_path: Path) -> None:
+def test_without_them_a_part_has_the_usual_ones_of_its_kind(tmp_path):
     tiny = load(make_tiny_package(tmp_path / "tiny.rna"))
     fibers = load(make_tiny_fiber_package(tmp_path / "fibers.rna"))
     assert tiny.parts[0].sampling == (USUAL_SAMPLING["surface"],)
@@ -48,14 +48,14 @@ def test_without_them_a_part_has_the_usual_ones_of_its_kind(tmp_path: Path) -> N
 
 
 @pytest.mark.parametrize("mixture", [Mixture(first=3, cone=CONES[0].cone), MIXTURES[0]])
-def test_fibers_have_one_mixture_of_their_own_lobes(tmp_path: Path, mixture: Mixture) -> None:
+def test_fibers_have_one_mixture_of_their_own_lobes(tmp_path, mixture):
     fibers = make_tiny_fiber_package(tmp_path / "fibers.rna")
     mixtures = (CONES[0], mixture) if mixture.first else (mixture,)
     with pytest.raises(PackageError, match="FIELD_VALUE"):
         with_sampling(fibers, *mixtures)
 
 
-def test_points_have_the_lobes_of_their_triangles() -> None:
+def test_points_have_the_lobes_of_their_triangles():
     triangle = np.array([0, 1, 7, 0])
     placed, rng = PartLobes.of(MIXTURES).at(triangle), np.random.default_rng(0)
     axis = np.float32(rng.normal(size=(4, 3)))
@@ -84,6 +84,6 @@ LOBE = {"share": 0.1, "width": 0.1}
         [{"first": first, "cosine": 0.5} for first in range(17)],
     ],
 )
-def test_wrong_data_is_refused(part: object) -> None:
+def test_wrong_data_is_refused(part):
     with pytest.raises(ValidationError):
         Sampling.model_validate({"parts": [part]})

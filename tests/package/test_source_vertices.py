@@ -1,7 +1,6 @@
 """RNA_source: vertices of the source in a package."""
 
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -17,7 +16,7 @@ def numbers_of(path: Path, shift: int = 0) -> SourceVertices:
     return SourceVertices(np.arange(count, dtype=np.uint32)[::-1] + np.uint32(shift), count)
 
 
-def test_they_come_back(tiny: Path, tmp_path: Path) -> None:
+def test_they_come_back(tiny, tmp_path):
     wanted, out = numbers_of(tiny), tmp_path / "numbered.rna"
     Unpacked.read(tiny).with_source([wanted]).deflated().write(out)
     with Package.open(out) as package:
@@ -36,9 +35,7 @@ def test_they_come_back(tiny: Path, tmp_path: Path) -> None:
     ],
     ids=["fewer", "beyond"],
 )
-def test_what_does_not_fit_the_mesh_is_refused(
-    tiny: Path, tmp_path: Path, of: Any, code: str, message: str
-) -> None:
+def test_what_does_not_fit_the_mesh_is_refused(tiny, tmp_path, of, code, message):
     wrong = of(numbers_of(tiny))
     with pytest.raises(PackageError, match=message) as caught:
         Unpacked.read(tiny).with_source([wrong]).write(tmp_path / "wrong.rna")

@@ -28,12 +28,12 @@ def generate(*arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, capture_output=True, text=True, env=environment)
 
 
-def test_generated_files_are_current() -> None:
+def test_generated_files_are_current():
     checked = generate("--check")
     assert checked.returncode == 0, checked.stdout + checked.stderr
 
 
-def test_generated_files_are_written_and_checked(tmp_path: Path) -> None:
+def test_generated_files_are_written_and_checked(tmp_path):
     assert generate("--root", str(tmp_path)).returncode == 0
     written = [path for path in tmp_path.rglob("*") if path.is_file()]
     assert len(written) == 17
@@ -46,9 +46,7 @@ def test_generated_files_are_written_and_checked(tmp_path: Path) -> None:
     assert stale.stdout.count(" is stale: run python -m ") == len(written)
 
 
-def test_schema_accepts_a_good_manifest_only(
-    entries: dict[str, bytes], fiber_entries: dict[str, bytes]
-) -> None:
+def test_schema_accepts_a_good_manifest_only(entries, fiber_entries):
     schema = json.loads(manifest_schema())
     validator = jsonschema.Draft202012Validator(schema)
     validator.check_schema(schema)
@@ -61,7 +59,7 @@ def test_schema_accepts_a_good_manifest_only(
     assert not validator.is_valid({**manifest, "novel": 1})
 
 
-def test_spec_names_every_code_and_block() -> None:
+def test_spec_names_every_code_and_block():
     for code in Code:
         text = OF_CARRIERS if code.name.startswith("GLB_") else TEXT
         assert f"`{code.name}`" in text, code.name
@@ -80,7 +78,7 @@ def bilinear(plane: np.ndarray, u: float, v: float) -> np.ndarray:
     return (1 - b) * low + b * high
 
 
-def test_worked_example_of_the_planes() -> None:
+def test_worked_example_of_the_planes():
     planes = np.zeros((3, 4, 4, 1))
     k, row, column = np.meshgrid(range(3), range(4), range(4), indexing="ij")
     planes[..., 0] = 100 * k + 10 * row + column
@@ -92,7 +90,7 @@ def test_worked_example_of_the_planes() -> None:
     assert "6.5 + 130.5 + 218 = 355" in TEXT
 
 
-def test_worked_example_of_the_fiber_blocks() -> None:
+def test_worked_example_of_the_fiber_blocks():
     """By angles, while the runtime goes without."""
     t, wo, wi = np.array([0, 1, 0]), np.array([0.8, 0.6, 0]), np.array([0, -0.28, 0.96])
     s_o, s_i = t @ wo, t @ wi

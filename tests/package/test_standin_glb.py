@@ -36,7 +36,7 @@ def _mesh(path: Path) -> MeshObject:
         return read_mesh_object(path, PLAIN)
 
 
-def test_a_mesh_has_its_triangles_and_its_material(tmp_path: Path) -> None:
+def test_a_mesh_has_its_triangles_and_its_material(tmp_path):
     path = _glb(TOY, tmp_path)
     document, blob = opened(path)
     with Package.open(TOY) as package:
@@ -61,7 +61,7 @@ def test_a_mesh_has_its_triangles_and_its_material(tmp_path: Path) -> None:
     np.testing.assert_array_equal(loaded.triangles, mesh.triangles)
 
 
-def test_parts_are_nodes_and_holes_are_alpha(tmp_path: Path) -> None:
+def test_parts_are_nodes_and_holes_are_alpha(tmp_path):
     path = _glb(KIT / "parts-lantern.rna", tmp_path)
     document, blob = opened(path)
     with Package.open(KIT / "parts-lantern.rna") as package:
@@ -82,7 +82,7 @@ def test_parts_are_nodes_and_holes_are_alpha(tmp_path: Path) -> None:
     np.testing.assert_allclose(alpha, 255.0 - texture.mean(axis=2), atol=0.5)
 
 
-def test_images_of_base_colour_are_textures_and_vertices_have_the_rest(tmp_path: Path) -> None:
+def test_images_of_base_colour_are_textures_and_vertices_have_the_rest(tmp_path):
     """In the package's own bytes; but for linear or moved images, which viewers would get wrong."""
     path = _glb(KIT / "surface-print.rna", tmp_path)
     document, blob = opened(path)
@@ -114,7 +114,7 @@ def test_images_of_base_colour_are_textures_and_vertices_have_the_rest(tmp_path:
         np.testing.assert_allclose(colors[vertices], np.minimum(expected, 1.0), atol=1e-4)
 
 
-def test_strands_become_ribbons_of_their_width_and_stay_below_the_limit() -> None:
+def test_strands_become_ribbons_of_their_width_and_stay_below_the_limit():
     along = np.linspace(0.0, 1.0, 20, dtype=np.float32)
     strand = np.stack([along, along**2, np.zeros(20, np.float32)], axis=1)
     points = (strand + np.arange(50, dtype=np.float32)[:, None, None]).reshape(-1, 3)
@@ -133,7 +133,7 @@ def test_strands_become_ribbons_of_their_width_and_stay_below_the_limit() -> Non
     np.testing.assert_allclose(near, 2 * away.max(), rtol=1e-3)
 
 
-def test_a_strand_that_turns_back_stays_finite() -> None:
+def test_a_strand_that_turns_back_stays_finite():
     points = np.float32([[0, 0, 0], [1, 0, 0], [0, 0, 0], [0, 1, 0]])
     mesh = ribbons(Curves(points, np.full(4, 0.1, np.float32), np.uint32([0, 4])))
     np.testing.assert_allclose(np.linalg.norm(mesh.normals, axis=1), 1.0, atol=1e-5)
@@ -141,13 +141,11 @@ def test_a_strand_that_turns_back_stays_finite() -> None:
 
 
 @pytest.mark.parametrize("name", sorted(path.name for path in KIT.glob("*.rna")))
-def test_every_package_of_the_kit_loads(name: str, tmp_path: Path) -> None:
+def test_every_package_of_the_kit_loads(name, tmp_path):
     assert len(_mesh(_glb(KIT / name, tmp_path)).triangles)
 
 
-def test_bad_files_are_one_line_and_write_nothing(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_bad_files_are_one_line_and_write_nothing(tmp_path, capsys):
     bad = tmp_path / "bad.rna"
     bad.write_bytes(TOY.read_bytes()[:5000])
     assert main([str(bad), "--glb", str(tmp_path / "bad.glb")]) == 1
@@ -170,7 +168,7 @@ answer([
 
 @pytest.mark.blender
 @pytest.mark.parametrize("package", [TOY, CURLS], ids=["toy", "curls"])
-def test_blender_opens_it(package: Path, tmp_path: Path, blender_python: Path) -> None:
+def test_blender_opens_it(package, tmp_path, blender_python):
     path = _glb(package, tmp_path)
     mesh = _mesh(path)
     ((_, polygons, materials, nodes, high),) = answer_of(blender_python, IMPORT, str(path))

@@ -30,13 +30,13 @@ PICTURES = {member: png(2 + k, 40 * k) for k, member in enumerate(MEMBERS)}
 
 
 @pytest.fixture
-def textured(tiny: Path, tmp_path: Path) -> Path:
+def textured(tiny, tmp_path):
     out = tmp_path / "textured.rna"
     Unpacked.read(tiny).with_standin_textures([PICTURES]).write(out)
     return out
 
 
-def test_they_come_back_and_go_into_the_glb(textured: Path, tiny: Path, tmp_path: Path) -> None:
+def test_they_come_back_and_go_into_the_glb(textured, tiny, tmp_path):
     with Package.open(textured) as package:
         assert package.standin_textures() == PICTURES
         has_uvs = package.mesh().uvs is not None
@@ -76,14 +76,14 @@ def edited(path: Path, edit: Any) -> bytes:
     ],
     ids=["two parts", "no part", "no normal", "another", "no entry", "the manifest"],
 )
-def test_wrong_data_is_refused(textured: Path, tmp_path: Path, edit: Any, code: str) -> None:
+def test_wrong_data_is_refused(textured, tmp_path, edit, code):
     bad = tmp_path / "bad.rna"
     bad.write_bytes(edited(textured, edit))
     actual = [issue.code for issue in validate(bad)]
     assert code in actual
 
 
-def test_what_is_no_picture_gets_a_warning(tiny: Path, tmp_path: Path) -> None:
+def test_what_is_no_picture_gets_a_warning(tiny, tmp_path):
     out = tmp_path / "bad.rna"
     wrong = {**PICTURES, "normal": b"no PNG"}
     Unpacked.read(tiny).with_standin_textures([wrong]).write(out)
@@ -91,6 +91,6 @@ def test_what_is_no_picture_gets_a_warning(tiny: Path, tmp_path: Path) -> None:
     assert (issue.code, issue.found) == ("STANDIN_TEXTURE", "no PNG")
 
 
-def test_strands_and_textured_parts_have_none(tuft: Path, tmp_path: Path) -> None:
+def test_strands_and_textured_parts_have_none(tuft, tmp_path):
     with pytest.raises(PackageError, match="RNA_standin_textures of a fiber"):
         Unpacked.read(tuft).with_standin_textures([PICTURES]).write(tmp_path / "a.rna")

@@ -1,7 +1,5 @@
 """The USD form that docs/decisions/format.md describes, opened by the USD of Blender's module."""
 
-from pathlib import Path
-
 import pytest
 
 from tests.conftest import REPOSITORY
@@ -38,7 +36,7 @@ def Xform "mesh"
 
 
 @pytest.mark.blender
-def test_a_usda_names_the_package_beside_the_mesh(tmp_path: Path, blender_python: Path) -> None:
+def test_a_usda_names_the_package_beside_the_mesh(tmp_path, blender_python):
     text = (REPOSITORY / "docs" / "decisions" / "format.md").read_text()
     (tmp_path / "fox.usda").write_text("#usda" + text.split("```\n#usda")[1].split("```")[0])
     (tmp_path / "fox-mesh.usda").write_text(MESH)

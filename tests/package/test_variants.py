@@ -1,8 +1,5 @@
 """Variants of a package: other base colours by name, read, chosen and told."""
 
-from pathlib import Path
-from typing import Any
-
 import numpy as np
 import pytest
 
@@ -14,11 +11,11 @@ from tests.package.prints import RED_PIXELS, make_print, make_variants, tiers
 
 
 @pytest.fixture
-def path(tmp_path: Path) -> Path:
+def path(tmp_path):
     return make_variants(tmp_path / "print.rna")
 
 
-def test_a_variant_has_other_images_and_factors_on_the_same_triangles(path: Path) -> None:
+def test_a_variant_has_other_images_and_factors_on_the_same_triangles(path):
     with Package.open(path) as package:
         assert package.variants() == ("as it is", "deep red")
         plain, same, red = (package.base_color(0, name) for name in (None, "as it is", "deep red"))
@@ -41,7 +38,7 @@ def test_a_variant_has_other_images_and_factors_on_the_same_triangles(path: Path
         )
 
 
-def test_an_asset_looks_the_variant_up(path: Path) -> None:
+def test_an_asset_looks_the_variant_up(path):
     asset, third = load(path, variant="deep red"), np.full(1, 1 / 3, np.float32)
     looked_up = asset.base_color_at(np.uint32([3]), third, third)
     np.testing.assert_allclose(looked_up, [[0.75, 0.125, 0.0]])
@@ -61,13 +58,13 @@ def test_an_asset_looks_the_variant_up(path: Path) -> None:
         ({"tint": (1.0, 1.0, -1.0)}, "tint: expected three numbers of at least 0"),
     ],
 )
-def test_what_cannot_be_exchanged_is_refused(path: Path, exchange: Any, message: str) -> None:
+def test_what_cannot_be_exchanged_is_refused(path, exchange, message):
     with pytest.raises(QueryError, match=message) as caught:
         load(path).with_base_color(**exchange)
     assert "\n" not in str(caught.value)
 
 
-def test_an_unknown_variant_is_refused_with_the_known_ones(path: Path, tmp_path: Path) -> None:
+def test_an_unknown_variant_is_refused_with_the_known_ones(path, tmp_path):
     with pytest.raises(QueryError, match="variant 'blue', expected one of: 'as it is', 'deep red'"):
         load(path, variant="blue")
     with pytest.raises(QueryError, match="expected one of: none: it has no variants"):
@@ -77,7 +74,7 @@ def test_an_unknown_variant_is_refused_with_the_known_ones(path: Path, tmp_path:
         load(plain, variant="deep red")
 
 
-def test_info_lists_them(path: Path, tmp_path: Path) -> None:
+def test_info_lists_them(path, tmp_path):
     info = package_info(path)
     assert info["variants"] == ["as it is", "deep red"]
     assert "variants    as it is, deep red" in list(info_lines(info))

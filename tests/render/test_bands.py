@@ -33,7 +33,7 @@ def scene(samples: int) -> Scene:
     return Scene.model_validate({"camera": camera, "ground": {}, **size})
 
 
-def test_ever_more_samples_are_rendered_together() -> None:
+def test_ever_more_samples_are_rendered_together():
     several, pixels = Several(), []
     films: list[int] = []
     film = render(
@@ -51,12 +51,12 @@ def test_ever_more_samples_are_rendered_together() -> None:
 
 
 @pytest.mark.parametrize("samples", [1, 16])
-def test_a_sum_is_that_of_samples_one_by_one(samples: int) -> None:
+def test_a_sum_is_that_of_samples_one_by_one(samples):
     film = render(scene(21), Several(samples))
     np.testing.assert_array_equal(film.channels()["R"], np.float32(10))
 
 
-def test_a_stop_drops_the_samples_under_way() -> None:
+def test_a_stop_drops_the_samples_under_way():
     several = Several()
     film = render(scene(40), several, stop=lambda: len(several.seen) >= 4)
     assert film.samples in (1, 4)

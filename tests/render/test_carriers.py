@@ -38,7 +38,7 @@ def _rendered(scene: Path) -> dict[str, np.ndarray]:
     return read_exr(out)[0]
 
 
-def test_scenes_have_the_same_pixels(tmp_path: Path) -> None:
+def test_scenes_have_the_same_pixels(tmp_path):
     package = write_lambert_package(tmp_path / "ball.rna", sphere(2))
     carrier = make_carrier(package, tmp_path / "ball.glb")
     pixels = []
@@ -51,14 +51,14 @@ def test_scenes_have_the_same_pixels(tmp_path: Path) -> None:
         assert channel.tobytes() == pixels[1][name].tobytes(), name
 
 
-def test_a_carrier_alone_is_shown_as_a_package(tmp_path: Path) -> None:
+def test_a_carrier_alone_is_shown_as_a_package(tmp_path):
     package = write_lambert_package(tmp_path / "ball.rna", sphere(2))
     carrier = make_carrier(package, tmp_path / "ball.glb")
     one, other = read_scene(package).scene, read_scene(carrier).scene
     assert other.camera == one.camera and other.assets[0].path.name == "ball.glb"
 
 
-def test_a_glb_without_a_package_says_what_makes_one(tmp_path: Path) -> None:
+def test_a_glb_without_a_package_says_what_makes_one(tmp_path):
     (tmp_path / "plain.glb").write_bytes(b"glTF")
     (tmp_path / "scene.yaml").write_text(SCENE.format(name="plain.glb"))
     with pytest.raises(SceneError, match=r"plain\.glb is a model, not a package; rna-make"):
@@ -86,9 +86,7 @@ SCENES: dict[str, Callable[[Document], object]] = {
 
 
 @pytest.mark.parametrize("name", SCENES)
-def test_a_scene_is_its_package_once_and_says_so(
-    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_scene_is_its_package_once_and_says_so(name, tmp_path, capsys):
     """Alone, and as an asset of a scene file; `load` takes the package."""
     package = write_lambert_package(tmp_path / "ball.rna", sphere(2))
     carrier = make_carrier(package, tmp_path / "ball.glb")

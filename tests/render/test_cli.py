@@ -4,7 +4,6 @@ import json
 import signal
 import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -29,7 +28,7 @@ exposure: 1
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory) -> Path:
+def folder(tmp_path_factory):
     """Two scenes and their package; tests write their images elsewhere."""
     folder = tmp_path_factory.mktemp("scene")
     write_lambert_package(folder / "ball.rna", sphere(4), tiers=("small", "hq"))

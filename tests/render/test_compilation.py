@@ -7,8 +7,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-import pytest
-
 from rna_render.command import compilation
 from rna_render.command.compilation import compilations_reported
 from rna_render.command.compile_ahead import compiling_ahead
@@ -28,7 +26,7 @@ print(count)
 """
 
 
-def test_what_is_in_the_cache_is_not_counted(tmp_path: Path) -> None:
+def test_what_is_in_the_cache_is_not_counted(tmp_path):
     environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)}
     command = [sys.executable, "-c", CODE]
     told = [
@@ -44,9 +42,7 @@ def compile_so_many(count: int) -> None:
         compiled_module._tell_watchers(True)
 
 
-def test_a_count_and_a_time_are_told(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_count_and_a_time_are_told(capsys, monkeypatch):
     monkeypatch.setattr(compilation, "_APART", -1.0)
     monkeypatch.setattr(compilation, "core_count", lambda: 1)
     with compilations_reported(SCENE):
@@ -58,13 +54,13 @@ def test_a_count_and_a_time_are_told(
     )
 
 
-def test_few_are_not_worth_a_line(capsys: pytest.CaptureFixture[str]) -> None:
+def test_few_are_not_worth_a_line(capsys):
     with compilations_reported(SCENE):
         compile_so_many(2)
     assert capsys.readouterr().err == ""
 
 
-def test_a_watcher_is_gone_after_its_context() -> None:
+def test_a_watcher_is_gone_after_its_context():
     seen: list[bool] = []
     with watched_compilations(seen.append):
         compile_so_many(1)
@@ -72,9 +68,7 @@ def test_a_watcher_is_gone_after_its_context() -> None:
     assert seen == [False, True]
 
 
-def test_the_renderers_kernels_are_compiled_ahead(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_the_renderers_kernels_are_compiled_ahead(tmp_path, monkeypatch):
     """The process renders, and does not outlive what it is for."""
     command = [sys.executable, "-m", "rna_render.command.compile_ahead", SCENE, tmp_path]
     subprocess.run(command, check=True, capture_output=True)

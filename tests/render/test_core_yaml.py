@@ -1,7 +1,6 @@
 """Scene files are YAML 1.2 of the core schema."""
 
 import math
-from pathlib import Path
 
 import pytest
 import yaml
@@ -42,7 +41,7 @@ def parsed(text: str) -> object:
 
 
 @pytest.mark.parametrize("text", SCALARS)
-def test_scalars_are_those_of_the_core_schema(text: str) -> None:
+def test_scalars_are_those_of_the_core_schema(text):
     actual = parsed(f"a: {text}")["a"]
     assert actual == SCALARS[text] and type(actual) is type(SCALARS[text])
 
@@ -54,7 +53,7 @@ def test_scalars_are_those_of_the_core_schema(text: str) -> None:
         *("!!float 1:3", "!!int [1]", "!!seq abc", "!!map [1]", "!foo 1", "9" * 5000, "{[a]: 1}"),
     ],
 )
-def test_other_tags_are_errors_with_a_line(text: str, tmp_path: Path) -> None:
+def test_other_tags_are_errors_with_a_line(text, tmp_path):
     with pytest.raises(yaml.MarkedYAMLError):
         parsed(f"a: {text}")
     path = tmp_path / "scene.yaml"
@@ -64,7 +63,7 @@ def test_other_tags_are_errors_with_a_line(text: str, tmp_path: Path) -> None:
     assert "\n" not in str(caught.value)
 
 
-def test_what_is_written_is_read_again() -> None:
+def test_what_is_written_is_read_again():
     data = {"group": "1e3", "other": ["0o17", "yes", "~", "", "a"], "numbers": [1e3, 8]}
     assert parsed(dump_yaml(data)) == data
 
@@ -73,7 +72,7 @@ CAMERA = "camera: {position: [1, 1, 1], look_at: [0, 0, 0]}\nground: {}\n"
 
 
 @pytest.mark.parametrize(("number", "value"), [("1e3", 1000), ("1000", 1000), ("1e+3", 1000)])
-def test_a_number_is_one_in_every_key(number: str, value: float, tmp_path: Path) -> None:
+def test_a_number_is_one_in_every_key(number, value, tmp_path):
     path = tmp_path / "scene.yaml"
     light = f"{{type: rectangle, position: [0, 9, 0], look_at: [0, 0, 0.1], radiance: {number}, "
     path.write_text(
@@ -86,7 +85,7 @@ def test_a_number_is_one_in_every_key(number: str, value: float, tmp_path: Path)
 
 
 @pytest.mark.parametrize("value", ["bright", "1:30", "true", "[]", "{a: 1}"])
-def test_what_is_no_number_is_refused_in_one_line(value: str, tmp_path: Path) -> None:
+def test_what_is_no_number_is_refused_in_one_line(value, tmp_path):
     path = tmp_path / "scene.yaml"
     path.write_text(f"{CAMERA}lights: [{{type: environment, radiance: {value}}}]\n")
     with pytest.raises(SceneError, match=r"lights\[0\]\.radiance: expected") as caught:

@@ -1,7 +1,5 @@
 """The scene of a package that is shown without a scene file."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 import yaml
@@ -38,7 +36,7 @@ def scene_of(of: Shown) -> Scene:
 @pytest.mark.parametrize("scale", [1e-4, 1.0, 3e4])
 @pytest.mark.parametrize("box", [CUBE, SLAB, TOWER], ids=["cube", "slab", "tower"])
 @pytest.mark.parametrize("wo", [(), (Cone(axis=(0, 1, 0), half_angle=0.1),)], ids=["all", "top"])
-def test_the_asset_fills_the_image_at_any_size(box, scale, wo) -> None:
+def test_the_asset_fills_the_image_at_any_size(box, scale, wo):
     low, high = (scale * np.add(corner, [7.0, -2.0, 0.0]) for corner in box)
     corners = np.array(np.meshgrid(*zip(low, high, strict=True))).reshape(3, -1).T
     scene = scene_of(Shown(low, high, corners, wo=wo))
@@ -64,7 +62,7 @@ def pixel_of(scene: Scene, ray: np.ndarray) -> tuple[float, float]:
     return (across[0] + 1) / 2, (across[1] + 1) / 2
 
 
-def test_directions_are_those_that_it_was_captured_for() -> None:
+def test_directions_are_those_that_it_was_captured_for():
     axis = (0.6, 0.0, -0.8)
     cones = (Cone(axis=axis, half_angle=0.2),)
     scene = scene_of(Shown(*CUBE, np.array(CUBE), wo=cones, wi=cones))
@@ -75,7 +73,7 @@ def test_directions_are_those_that_it_was_captured_for() -> None:
         np.testing.assert_allclose(light.direction, axis, atol=1e-3)
 
 
-def test_light_is_dimmed_beside_an_asset_of_its_own_light(tmp_path: Path) -> None:
+def test_light_is_dimmed_beside_an_asset_of_its_own_light(tmp_path):
     dark = write_lambert_package(tmp_path / "dark.rna", sphere(2))
     glowing = write_lamp_package(tmp_path / "glowing.rna", (1, 1, 1), np.full(3, 255, np.uint8))
     assert (shown(dark).emits, shown(glowing).emits) == (False, True)
@@ -83,7 +81,7 @@ def test_light_is_dimmed_beside_an_asset_of_its_own_light(tmp_path: Path) -> Non
     assert dimmed < 0.3 * key
 
 
-def test_a_package_is_rendered_alone(tmp_path: Path, capsys) -> None:
+def test_a_package_is_rendered_alone(tmp_path, capsys):
     package = write_lambert_package(tmp_path / "a: 'ball'.rna", sphere(3))
     small = ["--resolution", "32x24", "--samples", "2"]
     assert main([str(package), "--png", str(tmp_path / "a.png"), *small]) == 0
@@ -100,7 +98,7 @@ def test_a_package_is_rendered_alone(tmp_path: Path, capsys) -> None:
     assert f"wrote {tmp_path / 'a.png'}" in capsys.readouterr().out
 
 
-def test_it_is_what_the_text_says(tmp_path: Path) -> None:
+def test_it_is_what_the_text_says(tmp_path):
     package = write_lambert_package(tmp_path / "ball.rna", sphere(2))
     text = scene_text(default_scene(package))
     assert all(f"# {note}" in text for note in _NOTES.values())
@@ -108,14 +106,14 @@ def test_it_is_what_the_text_says(tmp_path: Path) -> None:
     assert read_scene(tmp_path / "scene.yaml").scene == read_scene(package).scene
 
 
-def test_a_turntable_needs_no_scene_file(tmp_path: Path) -> None:
+def test_a_turntable_needs_no_scene_file(tmp_path):
     package = write_lambert_package(tmp_path / "ball.rna", sphere(2))
     out = ["--png", str(tmp_path / "f.%02d.png"), "--resolution", "16x12", "--samples", "1"]
     assert main([str(package), *out, "--frames", "0-1"]) == 0
     assert {"f.00.png", "f.01.png"} <= {path.name for path in tmp_path.iterdir()}
 
 
-def test_a_model_and_a_broken_package_are_named(tmp_path: Path, capsys) -> None:
+def test_a_model_and_a_broken_package_are_named(tmp_path, capsys):
     (tmp_path / "helmet.glb").write_bytes(b"glTF")
     (tmp_path / "broken.rna").write_bytes(b"PK")
     with pytest.raises(SceneError, match=r"a model, not a scene; rna-make .*helmet\.glb --out"):
@@ -126,20 +124,20 @@ def test_a_model_and_a_broken_package_are_named(tmp_path: Path, capsys) -> None:
         read_scene(tmp_path / "none.rna")
 
 
-def test_an_error_has_no_line_of_a_file_that_nobody_wrote(tmp_path: Path, capsys) -> None:
+def test_an_error_has_no_line_of_a_file_that_nobody_wrote(tmp_path, capsys):
     package = write_lambert_package(tmp_path / "ball.rna", sphere(2))
     assert main([str(package), "--png", str(tmp_path / "a.png"), "--tier", "x"]) == 1
     assert capsys.readouterr().err.startswith(f"error: {package}: assets[0].tier: no tier 'x'")
 
 
-def test_two_names_for_one_png_are_bad_usage(tmp_path: Path, capsys) -> None:
+def test_two_names_for_one_png_are_bad_usage(tmp_path, capsys):
     with pytest.raises(SystemExit):
         main(["a.rna", "--out", str(tmp_path / "a.png"), "--png", str(tmp_path / "b.png")])
     assert "--out and --png both name a PNG" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(("size", "is_named"), [(0.3, False), (9.0, False), (180.0, True)])
-def test_a_size_that_looks_like_centimetres_is_named(tmp_path, capsys, size, is_named) -> None:
+def test_a_size_that_looks_like_centimetres_is_named(tmp_path, capsys, size, is_named):
     package = write_lambert_package(tmp_path / "floor.rna", square(size=size / 2))
     with Package.open(package) as opened:
         low, high = opened.box()
@@ -150,7 +148,7 @@ def test_a_size_that_looks_like_centimetres_is_named(tmp_path, capsys, size, is_
     assert ("note: the asset is 180 m in size, 1.8 m if" in capsys.readouterr().err) is is_named
 
 
-def test_glass_beside_the_package_is_part_of_the_scene(tmp_path: Path) -> None:
+def test_glass_beside_the_package_is_part_of_the_scene(tmp_path):
     package = write_lambert_package(tmp_path / "it.rna", sphere(3))
     alone = shown(package)
     glass_of(package).write_bytes(box_glb((1.0, 9.0, 1.0)))

@@ -85,7 +85,7 @@ def test_rare_bright_noise_is_no_texture():
     assert error < 0.03 * np.square(noisy - clean).mean()
 
 
-def test_a_speck_is_taken_out_where_all_about_it_is_clean() -> None:
+def test_a_speck_is_taken_out_where_all_about_it_is_clean():
     filtered = np.full((64, 64, 3), 0.5, np.float32)
     image, variance = filtered.copy(), np.full((64, 64, 3), 1e-6)
     image[40, 20], variance[40, 20] = 2.0, 2.0

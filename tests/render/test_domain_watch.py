@@ -1,7 +1,6 @@
 """A warning where an asset is asked for directions that it was not trained for."""
 
 import warnings
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -38,7 +37,7 @@ def rows(*directions: tuple[float, float, float]) -> np.ndarray:
     return np.array(directions, np.float32)
 
 
-def test_queries_outside_are_counted_and_answered(tmp_path: Path) -> None:
+def test_queries_outside_are_counted_and_answered(tmp_path):
     domain = Domain(wo=cone(FRONT), wi="hemisphere")
     asset = load(make_tiny_package(tmp_path / "a.rna", domain=domain))
     watch = watched(asset, "a.rna")
@@ -54,12 +53,12 @@ def test_queries_outside_are_counted_and_answered(tmp_path: Path) -> None:
     assert (watch.kind, watch.tier) == ("surface", asset.tier)
 
 
-def test_an_asset_of_all_directions_is_not_watched(tmp_path: Path) -> None:
+def test_an_asset_of_all_directions_is_not_watched(tmp_path):
     asset = load(make_tiny_package(tmp_path / "a.rna"))
     assert watched(asset, "a.rna") is asset
 
 
-def test_a_warning_comes_once(tmp_path: Path) -> None:
+def test_a_warning_comes_once(tmp_path):
     asset = load(make_tiny_package(tmp_path / "a.rna", domain=Domain(wo=cone(UP), wi="sphere")))
     watch = WatchedAsset(asset, "a.rna")
     zero = np.zeros((1, 3), np.float32)
@@ -74,9 +73,7 @@ def test_a_warning_comes_once(tmp_path: Path) -> None:
 
 @pytest.mark.filterwarnings("default::rna_render.world.domain_watch.DomainWarning")
 @pytest.mark.parametrize(("direction", "warns"), [("[0, 0.1, 1]", False), ("[0, 1, 0]", True)])
-def test_the_command_warns_of_lights_outside(
-    direction: str, warns: bool, tmp_path: Path, capsys
-) -> None:
+def test_the_command_warns_of_lights_outside(direction, warns, tmp_path, capsys):
     domain = Domain(wo=cone(FRONT), wi=cone(FRONT))
     write_lambert_package(tmp_path / "ball.rna", sphere(3), domain=domain)
     (tmp_path / "scene.yaml").write_text(SCENE.replace("DIRECTION", direction))

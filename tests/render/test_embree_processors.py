@@ -30,7 +30,7 @@ PROCESSORS = [
 
 
 @pytest.fixture
-def set_up(monkeypatch: pytest.MonkeyPatch):
+def set_up(monkeypatch):
     """Settings for the devices that come after the call."""
 
     def set_up_(config: str) -> None:
@@ -42,7 +42,7 @@ def set_up(monkeypatch: pytest.MonkeyPatch):
 
 
 @pytest.fixture(scope="module")
-def rays() -> tuple[np.ndarray, np.ndarray]:
+def rays():
     rng = np.random.default_rng(1)
     origins = 3 * unit_vectors(rng, 20_000)
     directions = 0.9 * unit_vectors(rng, 20_000) - origins

@@ -35,7 +35,7 @@ def render(folder: Path, text: str) -> int:
     return main([str(folder / "scene.yaml"), "--out", str(folder / "out.exr")])
 
 
-def test_the_brightest_lights_give_a_finite_image(tmp_path: Path) -> None:
+def test_the_brightest_lights_give_a_finite_image(tmp_path):
     assert render(tmp_path, SCENE.replace("LIGHT", "1.0e+18")) == 0
     channels, _ = read_exr(tmp_path / "out.exr")
     for name, values in channels.items():
@@ -43,9 +43,7 @@ def test_the_brightest_lights_give_a_finite_image(tmp_path: Path) -> None:
     assert channels["R"].max() > 1e17
 
 
-def test_a_light_beyond_float32_is_one_line(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_light_beyond_float32_is_one_line(tmp_path, capsys):
     assert render(tmp_path, SCENE.replace("LIGHT", "1.0e+39", 1).replace("LIGHT", "1")) == 1
     (line,) = capsys.readouterr().err.splitlines()
     assert "scene.yaml:6: lights[0].irradiance[0]: expected a number, at most 1e+18" in line
@@ -71,12 +69,12 @@ def test_a_light_beyond_float32_is_one_line(
     ],
 )
 def test_geometry_is_seen_or_refused(
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
-    size: float,
-    scale: float,
-    message: str | None,
-) -> None:
+    tmp_path,
+    capsys,
+    size,
+    scale,
+    message,
+):
     """A grey square fills the image, lit from all sides or from nearby, or is an error."""
     corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     lines = [f"v {size / 2 * x:e} {size / 2 * y:e} 0" for x, y in corners]

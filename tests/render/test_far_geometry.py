@@ -22,20 +22,18 @@ def picture(folder: Path, **arguments: object) -> dict[str, np.ndarray]:
 
 
 @pytest.fixture(scope="module")
-def expected(tmp_path_factory: pytest.TempPathFactory) -> dict[str, np.ndarray]:
+def expected(tmp_path_factory):
     return picture(tmp_path_factory.mktemp("near"))
 
 
 @pytest.mark.parametrize("name", VARIANTS)
-def test_a_picture_is_the_same_at_any_scale(
-    name: str, expected: dict[str, np.ndarray], tmp_path: Path
-) -> None:
+def test_a_picture_is_the_same_at_any_scale(name, expected, tmp_path):
     """A ray of light started 0.66 m off the ground where a hill was 10 km away."""
     assert_same_picture(picture(tmp_path, **VARIANTS[name]), expected)
 
 
 @pytest.mark.parametrize("far", [1e3, 1e4, 1e5])
-def test_an_assets_picture_is_the_same_with_a_black_hill(far: float, tmp_path: Path) -> None:
+def test_an_assets_picture_is_the_same_with_a_black_hill(far, tmp_path):
     """What changes with a grey one, .15 as high as it is far, is its own light."""
     hill = tmp_path / "hill.obj"
     corners = [(-far, 0, -far), (far, 0, -far), (far, 0.15 * far, -far), (-far, 0.15 * far, -far)]
@@ -61,13 +59,13 @@ TOY = {
 }
 
 
-def test_a_tilted_floor_of_40_km_keeps_its_shadows(tmp_path: Path) -> None:
+def test_a_tilted_floor_of_40_km_keeps_its_shadows(tmp_path):
     """It is exact to its float32 coordinates alone: the steps of rays are some 10 mm."""
     small = picture(tmp_path, floor=4e3, tilt=10.0)
     assert_same_picture(picture(tmp_path, floor=4e4, tilt=10.0), small)
 
 
-def test_positions_are_those_of_the_scene_file(tmp_path: Path) -> None:
+def test_positions_are_those_of_the_scene_file(tmp_path):
     image = picture(tmp_path, at=(1e5, 0.0, 1e5))
     ground = np.abs(image["normal.Y"]) > 0.9
     assert ground.sum() > 100
@@ -98,7 +96,7 @@ def random_frame(rng: np.random.Generator) -> np.ndarray:
 
 
 @pytest.mark.parametrize("kind", ["any", "level", "sliver"])
-def test_no_ray_meets_the_triangle_that_it_leaves(kind: str) -> None:
+def test_no_ray_meets_the_triangle_that_it_leaves(kind):
     rng, met = np.random.default_rng(5), 0
     for _ in range(150):
         corners, matrix = random_triangle(rng, kind), random_frame(rng)
@@ -130,9 +128,7 @@ def test_no_ray_meets_the_triangle_that_it_leaves(kind: str) -> None:
 
 
 @pytest.mark.parametrize(("size", "height", "most"), [(4e4, -1.0, 2e-6), (1.0, 0.0, 1e-12)])
-def test_the_step_off_a_level_floor_follows_its_height_alone(
-    size: float, height: float, most: float
-) -> None:
+def test_the_step_off_a_level_floor_follows_its_height_alone(size, height, most):
     """At height 0 there is one still: a ray that starts in the plane meets it."""
     corners = size * np.float32([[-1, 0, -1], [1, 0, -1], [0, 0, 2]]) + np.float32([0, height, 0])
     frames = Frames(np.eye(3)[None].copy(), np.ones(1), np.zeros((1, 3)))

@@ -9,7 +9,7 @@ ENGINES = "numba", "onnxruntime", "embreex", "rna_trace.embree", "rna_render.pat
 
 
 @pytest.mark.parametrize("module", ["scene.scene_model", "scene.scene_file", "scene.animation"])
-def test_the_scene_model_loads_no_engine(module: str) -> None:
+def test_the_scene_model_loads_no_engine(module):
     code = f"import rna_render.{module}, sys; print(*sys.modules)"
     command = [sys.executable, "-c", code]
     loaded = subprocess.run(command, check=True, capture_output=True, text=True).stdout.split()

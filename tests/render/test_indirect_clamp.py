@@ -1,7 +1,5 @@
 """The clamp that keeps specks out of pictures: how large it is, and that one key turns it off."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 import trimesh
@@ -51,7 +49,7 @@ def test_scenes_have_one_unless_they_say_null():
     assert Scene.model_validate(scene | {"clamp_indirect": 2}).clamp_indirect == 2.0
 
 
-def test_there_are_no_specks(tmp_path: Path) -> None:
+def test_there_are_no_specks(tmp_path):
     """No pixel is above 10 times what a converged image has around it; without the clamp some are.
 
     A polished ball reflects a small sun onto the ground.
@@ -88,7 +86,7 @@ def test_there_are_no_specks(tmp_path: Path) -> None:
         assert (largest > 10.0) == specked
 
 
-def test_what_it_takes_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_it_takes_is_told(capsys):
     """In the second of two samples the clamp took 1 of 7."""
     scene = Scene.model_validate({"ground": {}, "camera": CAMERA, "lights": [SKY]})
     film = Film((2, 1))

@@ -30,7 +30,7 @@ def picture(
     return rgb(channels), ball, floor
 
 
-def test_the_floor_sees_the_other_tier_and_the_camera_does_not() -> None:
+def test_the_floor_sees_the_other_tier_and_the_camera_does_not():
     white, ball, floor = picture(WHITE, None)
     red, _, _ = picture(RED, None)
     both, _, _ = picture(WHITE, RED)

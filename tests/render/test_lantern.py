@@ -2,7 +2,6 @@
 
 import warnings
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -35,7 +34,7 @@ samples: 4
 
 
 @pytest.fixture
-def scene_file(tmp_path: Path):
+def scene_file(tmp_path):
     make_lantern(tmp_path / "lantern.rna")
     (tmp_path / "scene.yaml").write_text(SCENE)
     return read_scene(tmp_path / "scene.yaml")

@@ -1,7 +1,5 @@
 """Images as environments: where texels are, how directions are chosen, and what they bring."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -187,7 +185,7 @@ def test_directions_at_the_poles_and_broken_ones_are_survived():
 
 @pytest.mark.data
 @pytest.mark.parametrize("name", ["forest", "studio"])
-def test_a_real_environment(name: str, data_folder: Path) -> None:
+def test_a_real_environment(name, data_folder):
     path = data_folder / "hdri" / f"{name}.hdr"
     texels = read_environment(path)
     assert texels.shape == (512, 1024, 3)

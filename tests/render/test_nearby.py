@@ -33,7 +33,7 @@ def of_many_rays(scene: PartsScene, at: tuple[float, float, float], wi=DOWN) -> 
     return nearby_light(scene, LENGTHS, x, to_light, rays=4).mean(axis=0)
 
 
-def test_a_lit_plane_has_all_of_it() -> None:
+def test_a_lit_plane_has_all_of_it():
     oblique = np.float32([[0.6, 0.8, 0.0]])
     assert of_many_rays(PartsScene([ground()]), (0, 0, 0)) == pytest.approx([1.0] * 3, rel=0.01)
     # The light of a plane that it grazes enters farther away: columns meet it at |y| > |d|.
@@ -41,7 +41,7 @@ def test_a_lit_plane_has_all_of_it() -> None:
 
 
 @pytest.mark.parametrize("height", [0.02, -0.02])
-def test_light_that_enters_farther_away_counts_by_distance(height: float) -> None:
+def test_light_that_enters_farther_away_counts_by_distance(height):
     """The integral of exp(-r / l) / (2 pi l^2) over a plane h away is (1 + h / l) exp(-h / l)."""
     ratio = 0.02 / np.array(LENGTHS)
     expected = (1.0 + ratio) * np.exp(-ratio)
@@ -50,13 +50,13 @@ def test_light_that_enters_farther_away_counts_by_distance(height: float) -> Non
     )
 
 
-def test_half_a_plane_has_half_and_nothing_none() -> None:
+def test_half_a_plane_has_half_and_nothing_none():
     half = PartsScene([ground(low=0.0)])
     assert of_many_rays(half, (0, 0, 0)) == pytest.approx([0.5] * 3, rel=0.02)
     assert (of_many_rays(half, (-5, 0, 0)) == 0.0).all()
 
 
-def test_columns_pass_what_lets_most_light_through() -> None:
+def test_columns_pass_what_lets_most_light_through():
     whole, expected = PartsScene([ground()]), of_many_rays(PartsScene([ground()]), (0, 0, 0))
     meshes = [ground(), ground(0.02, texture=True)]
     for level, passes in ((130, True), (120, False)):
@@ -67,7 +67,7 @@ def test_columns_pass_what_lets_most_light_through() -> None:
     assert not whole.transmits
 
 
-def test_a_light_nearer_than_the_asset_begins_columns_there() -> None:
+def test_a_light_nearer_than_the_asset_begins_columns_there():
     scene = PartsScene([ground(), ground(1.0)])  # a lamp between floor and ceiling
     x, u = np.zeros((4000, 3), np.float32), np.random.default_rng(0).random((4000, 2))
     wi = np.repeat(DOWN, 4000, axis=0)
@@ -76,7 +76,7 @@ def test_a_light_nearer_than_the_asset_begins_columns_there() -> None:
     assert nearby_estimate(scene, LENGTHS, x, wi, u).max() < 1e-4
 
 
-def test_an_estimate_is_that_of_the_reference() -> None:
+def test_an_estimate_is_that_of_the_reference():
     rng, scene, n = np.random.default_rng(1), PartsScene([ground(0.01)]), 500
     wi = rng.normal(size=(n, 3))
     wi[:, 1] = np.abs(wi[:, 1]) + 0.5
@@ -97,7 +97,7 @@ def test_an_estimate_is_that_of_the_reference() -> None:
 
 
 @pytest.mark.parametrize(("name", "tier"), [("surface", "print"), ("fiber", "small")])
-def test_one_ray_a_sample_gives_the_right_light_in_the_mean(name: str, tier: str) -> None:
+def test_one_ray_a_sample_gives_the_right_light_in_the_mean(name, tier):
     asset = load(REPOSITORY / f"spec/conformance/packages/{name}-nearby.rna", tier)
     body, n, rays = make_body(asset), 30, 600
     rng = np.random.default_rng(0)

@@ -29,7 +29,7 @@ def hits(rng: np.random.Generator, mesh: Mesh, n: int) -> tuple[np.ndarray, np.n
     return triangle, u, ((1.0 - u) * rng.random(n)).astype(np.float32)
 
 
-def test_equals_the_twin() -> None:
+def test_equals_the_twin():
     rng = np.random.default_rng(0)
     mesh = textured(rng)
     maps = tuple(
@@ -47,7 +47,7 @@ def test_equals_the_twin() -> None:
 
 
 @pytest.mark.parametrize("lean", [(40, 0), (0, 40)])
-def test_a_map_leans_along_u_and_against_v(lean: tuple[int, int]) -> None:
+def test_a_map_leans_along_u_and_against_v(lean):
     """A square in the plane z = 0 whose u grows along x and whose v grows along -y."""
     positions = np.float32([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
     normals = np.tile(np.float32([0, 0, 1]), (4, 1))
@@ -64,7 +64,7 @@ def test_a_map_leans_along_u_and_against_v(lean: tuple[int, int]) -> None:
     assert np.array_equal(points.n, normals[:1])
 
 
-def test_without_maps_the_normals_are_the_interpolated_ones() -> None:
+def test_without_maps_the_normals_are_the_interpolated_ones():
     ball = sphere(2)
     scene = PartsScene([ball])
     actual = scene.intersect(np.float32([[0, 0, 5]]), np.float32([[0.01, 0, -1]]))

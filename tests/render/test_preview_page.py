@@ -23,7 +23,7 @@ PICTURE = "document.getElementById('picture')"
 
 
 @pytest.fixture(scope="module")
-def scene_path(tmp_path_factory) -> Path:
+def scene_path(tmp_path_factory):
     """A ball lit from the side, so that its look changes with the camera."""
     folder = tmp_path_factory.mktemp("preview")
     write_lambert_package(folder / "ball.rna", sphere(4))
@@ -51,13 +51,13 @@ def rna_run(scene_path: Path) -> Iterator[tuple[subprocess.Popen, str]]:
 
 
 @pytest.fixture(scope="module")
-def url(scene_path) -> Iterator[str]:
+def url(scene_path):
     with rna_run(scene_path) as (_, url):
         yield url
 
 
 @pytest.fixture
-def page(url) -> Iterator[Page]:
+def page(url):
     with open_page() as page:
         page.call("Page.navigate", url=url)
         page.wait_for(f"{PICTURE}?.dataset.samples == 4")

@@ -3,7 +3,6 @@
 import http.client
 import io
 import json
-from collections.abc import Iterator
 
 import numpy as np
 import pytest
@@ -24,7 +23,7 @@ JSON = {"Content-Type": "application/json"}
 
 
 @pytest.fixture(scope="module")
-def server(tmp_path_factory) -> Iterator[PreviewServer]:
+def server(tmp_path_factory):
     folder = tmp_path_factory.mktemp("preview")
     write_lambert_package(folder / "ball.rna", sphere(4))
     (folder / "scene.yaml").write_text(SCENE)

@@ -16,7 +16,7 @@ from rna_render.paths.world_in_time import load_world
 from rna_render.preview.change import Change
 from rna_render.preview.lighting import Lighting, lighting_choices
 from rna_render.preview.session import Session
-from rna_render.scene.scene_file import SceneFile, read_scene
+from rna_render.scene.scene_file import read_scene
 from rna_sdk.errors import QueryError, SceneError
 from tests.render.assets import sphere
 from tests.render.packages import ALBEDO, write_lambert_package
@@ -31,7 +31,7 @@ samples: 4
 
 
 @pytest.fixture(scope="module")
-def scene_file(tmp_path_factory) -> SceneFile:
+def scene_file(tmp_path_factory):
     folder = tmp_path_factory.mktemp("preview")
     write_lambert_package(folder / "ball.rna", sphere(4))
     (folder / "scene.yaml").write_text(SCENE)

@@ -1,7 +1,5 @@
 """The preview's text for a scene file: what it shows, read back."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 import yaml
@@ -24,7 +22,7 @@ view: filmic
 """
 
 
-def test_what_is_shown_is_read_back(tmp_path: Path) -> None:
+def test_what_is_shown_is_read_back(tmp_path):
     scene = Scene.model_validate(yaml.safe_load(SCENE))
     shown = lit(scene, Lighting("own", None), 30.0)
     changes = yaml.safe_load(scene_text(shown, tmp_path))
@@ -40,13 +38,13 @@ def test_what_is_shown_is_read_back(tmp_path: Path) -> None:
                 assert getattr(one, name) == value
 
 
-def test_lights_with_a_shape_stay_under_other_lights() -> None:
+def test_lights_with_a_shape_stay_under_other_lights():
     scene = Scene.model_validate(yaml.safe_load(SCENE))
     shown = lit(scene, Lighting("none", ()), 90.0)
     assert shown.lights == (scene.lights[3],)
 
 
-def test_images_beside_the_scene_are_relative(tmp_path: Path) -> None:
+def test_images_beside_the_scene_are_relative(tmp_path):
     scene = Scene.model_validate(yaml.safe_load(SCENE))
     sky = scene.lights[1].model_copy(update={"path": tmp_path / "maps" / "sky.hdr"})
     text = scene_text(scene.model_copy(update={"lights": (sky,)}), tmp_path)

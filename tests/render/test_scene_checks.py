@@ -31,14 +31,14 @@ def scene(folder: Path, text: str):
         ("assets:\n  - path: no.rna\n", "3: assets[0].path"),
     ],
 )
-def test_a_missing_file_is_named_with_its_line(tmp_path: Path, text: str, where: str) -> None:
+def test_a_missing_file_is_named_with_its_line(tmp_path, text, where):
     with pytest.raises(SceneError) as caught:
         load_world(scene(tmp_path, text))
     missing = tmp_path / text[text.index("no.") :].split("}")[0].strip()
     assert str(caught.value) == f"{tmp_path / 'scene.yaml'}:{where}: no such file: {missing}"
 
 
-def test_a_model_given_as_an_asset_is_named(tmp_path: Path) -> None:
+def test_a_model_given_as_an_asset_is_named(tmp_path):
     (tmp_path / "my helmet.glb").write_bytes(b"glTF")
     with pytest.raises(SceneError) as caught:
         load_world(scene(tmp_path, "assets:\n  - path: my helmet.glb\n"))
@@ -61,7 +61,7 @@ def test_a_model_given_as_an_asset_is_named(tmp_path: Path) -> None:
         ("assets: [{path: lamp.rna, emission: 0}]\n", True),
     ],
 )
-def test_a_scene_without_light_is_said_to_be_black(tmp_path: Path, text: str, is_dark) -> None:
+def test_a_scene_without_light_is_said_to_be_black(tmp_path, text, is_dark):
     write_lamp_package(tmp_path / "lamp.rna", (1, 1, 1), np.full(3, 255, np.uint8))
     write_lambert_package(tmp_path / "ball.rna", sphere(2))
     read = scene(tmp_path, text if "assets" in text else "assets: [{path: ball.rna}]\n" + text)
@@ -72,7 +72,7 @@ def test_a_scene_without_light_is_said_to_be_black(tmp_path: Path, text: str, is
     assert [w.category for w in caught] == [DarkWarning] * is_dark
 
 
-def test_the_ground_has_its_size_or_no_end(tmp_path: Path) -> None:
+def test_the_ground_has_its_size_or_no_end(tmp_path):
     for given, low, high in (("{}", 1e6, np.inf), ("{size: 7}", 6.999, 7.001)):
         plane = load_world(scene(tmp_path, f"ground: {given}\n")).objects[0]
         assert low < np.ptp(plane.positions[:, 0]) < high

@@ -77,7 +77,7 @@ def test_the_docs_describe_no_key_that_is_not_there():
     assert sorted(written) == sorted(rows)
 
 
-def test_every_key_is_read_by_the_renderer() -> None:
+def test_every_key_is_read_by_the_renderer():
     """By its name, beside the models; `up` of a camera or a light, for one, is read as `.up`."""
     files = [path for path in RUNTIME.rglob("*.py") if not path.name.endswith("_model.py")]
     text = "\n".join(path.read_text("utf-8") for path in files)
@@ -85,7 +85,7 @@ def test_every_key_is_read_by_the_renderer() -> None:
     assert {key for key in keys if not re.search(rf"\.{key}\b", text)} == set()
 
 
-def test_models_of_every_light_and_material_are_among_them() -> None:
+def test_models_of_every_light_and_material_are_among_them():
     names = {model.__name__ for model in MODELS}
     assert {"EnvironmentModel", "SphereModel", "ShadowCatcherModel", "QualityModel"} <= names
 

@@ -39,7 +39,7 @@ animation:
 
 
 @pytest.fixture
-def folder(tmp_path) -> Path:
+def folder(tmp_path):
     write_lambert_package(tmp_path / "ball.rna", sphere(4))
     (tmp_path / "scene.yaml").write_text(SCENE)
     return tmp_path

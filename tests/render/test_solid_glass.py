@@ -26,7 +26,7 @@ LAMP = {
 }
 
 
-def test_fresnel_at_right_angles_at_brewster_s_and_beyond_the_critical_one() -> None:
+def test_fresnel_at_right_angles_at_brewster_s_and_beyond_the_critical_one():
     eta = np.array([1.5, 1 / 1.5])
     assert fresnel(np.ones(2), eta) == pytest.approx(0.04)
     brewster = np.cos(np.arctan(1.5))
@@ -38,7 +38,7 @@ def test_fresnel_at_right_angles_at_brewster_s_and_beyond_the_critical_one() -> 
     assert fresnel(np.array([critical + 1e-3]), eta[1:]) < 0.9
 
 
-def test_directions_follow_snell_s_law() -> None:
+def test_directions_follow_snell_s_law():
     angle = np.radians([20.0, 60.0])
     d = np.stack([np.sin(angle), -np.cos(angle), np.zeros(2)], axis=1)
     n = np.tile([0.0, 1.0, 0.0], (2, 1))
@@ -49,7 +49,7 @@ def test_directions_follow_snell_s_law() -> None:
     assert reflected(d, n) == pytest.approx(d * [1, -1, 1])
 
 
-def test_a_clear_ball_vanishes_in_a_white_furnace() -> None:
+def test_a_clear_ball_vanishes_in_a_white_furnace():
     ball = made_of(sphere(4), **GLASS, inside=CLEAR)
     channels = shoot([(ball, {})], [SKY], camera=WIDE, samples=16)
     assert rgb(channels).mean() == pytest.approx(1.0, abs=2e-3)
@@ -59,7 +59,7 @@ def test_a_clear_ball_vanishes_in_a_white_furnace() -> None:
     assert rgb(channels)[channels["A"] == 1].mean() == pytest.approx(1.0, abs=2e-3)
 
 
-def test_a_slab_absorbs_along_its_thickness(tmp_path) -> None:
+def test_a_slab_absorbs_along_its_thickness(tmp_path):
     """Straight on: 1 and 2 of a white sky's faces, with all reflections between them."""
     left = np.array([0.5, 0.25, 0.8])
     path = tmp_path / "slab.glb"
@@ -74,7 +74,7 @@ def test_a_slab_absorbs_along_its_thickness(tmp_path) -> None:
     assert_is(actual, through + back, relative=0.02)
 
 
-def test_a_floor_is_lit_through_glass() -> None:
+def test_a_floor_is_lit_through_glass():
     """By rays that find the lamp behind a ball that bends and mirrors next to nothing."""
     floor = made_of(square(), base_color=(0.5, 0.5, 0.5))
     how = {"camera": at_point((0, 0, 0), (0.5, 0.4, 2.0)), "max_depth": 1}
@@ -85,7 +85,7 @@ def test_a_floor_is_lit_through_glass() -> None:
     assert actual.mean == pytest.approx(bare, rel=5e-3)
 
 
-def test_what_is_not_solid_glass_is_said(tmp_path) -> None:
+def test_what_is_not_solid_glass_is_said(tmp_path):
     path = tmp_path / "half.glb"
     path.write_bytes(box_glb((1.0, 1.0, 1.0), share=0.5))
     with pytest.warns(UserWarning, match="refraction of partly transmissive materials"):

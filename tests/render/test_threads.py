@@ -4,7 +4,6 @@ import ast
 import os
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -39,17 +38,17 @@ sys.exit(main())
 
 
 @pytest.fixture(params=[*EXAMPLES, *SCENES], ids=[*(p.parent.name for p in EXAMPLES), *SCENES])
-def scene(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
+def scene(request, tmp_path):
     if isinstance(request.param, Path):
         return request.param
     return write_scene(tmp_path, request.param)
 
 
-def test_two_threads_of_a_fresh_process_render_what_one_does(scene: Path, tmp_path: Path) -> None:
+def test_two_threads_of_a_fresh_process_render_what_one_does(scene, tmp_path):
     assert differing(rendered(scene, 2, tmp_path), on_one_thread(scene, tmp_path)) == 0
 
 
-def test_four_threads_that_switch_all_the_time(tmp_path: Path) -> None:
+def test_four_threads_that_switch_all_the_time(tmp_path):
     scene = REPOSITORY / "examples" / "jade" / "scene.yaml"
     actual = rendered(scene, 4, tmp_path, SWITCH_INTERVAL)
     assert differing(actual, on_one_thread(scene, tmp_path)) == 0
@@ -88,16 +87,14 @@ def on_one_thread(scene: Path, folder: Path) -> dict[str, np.ndarray]:
 
 
 @pytest.fixture
-def hurried() -> Iterator[None]:
+def hurried():
     interval = sys.getswitchinterval()
     sys.setswitchinterval(SWITCH_INTERVAL)
     yield
     sys.setswitchinterval(interval)
 
 
-def test_small_bands_of_threads_that_switch_all_the_time(
-    tmp_path: Path, hurried: None, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_small_bands_of_threads_that_switch_all_the_time(tmp_path, hurried, monkeypatch):
     scene_file = read_scene(write_scene(tmp_path, "everything"))
     world = load_world(scene_file)
     images = []
@@ -109,12 +106,12 @@ def test_small_bands_of_threads_that_switch_all_the_time(
     assert all(np.array_equal(image, images[0], equal_nan=True) for image in images[1:])
 
 
-def test_the_addresses_of_albedos_are_those_of_arrays_that_stay() -> None:
+def test_the_addresses_of_albedos_are_those_of_arrays_that_stay():
     owners = [ALBEDO_TABLE.ctypes.data, ALBEDO_MEANS.ctypes.data]
     assert ALBEDO_ADDRESSES.tolist() == owners
 
 
-def test_no_cached_function_takes_an_address() -> None:
+def test_no_cached_function_takes_an_address():
     """The memory that the address names may be another thread's, which lost the race."""
     for folder in ("rna_sdk", "runtime"):
         for path in (REPOSITORY / folder).rglob("*.py"):

@@ -1,7 +1,5 @@
 """What rna-run says of its tiers' cost on the processor at hand."""
 
-from pathlib import Path
-
 import pytest
 
 from rna_render.command.terminal import cost_lines
@@ -30,9 +28,7 @@ lights:
         ({"slow": 300.0, "fast": 290.0}, "a.rna: slow, 300 ns/query on this CPU"),
     ],
 )
-def test_a_line_a_tier_names_what_is_faster_and_no_worse(
-    costs: dict[str, float], line: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_line_a_tier_names_what_is_faster_and_no_worse(costs, line, tmp_path, monkeypatch):
     tiers = [make_measured_tier(name, 0.02, 90) for name in ("slow", "fast")]
     unmeasured = make_measured_tier("raw", None, 1)
     make_tiny_package(tmp_path / "a.rna", *tiers, unmeasured)

@@ -31,9 +31,7 @@ class Clock:
 @pytest.mark.parametrize(
     ("seconds", "each", "count"), [(10.0, 2.0, 5), (9.9, 2.0, 4), (0.1, 2.0, 1), (1e6, 2.0, 64)]
 )
-def test_as_many_samples_as_fit(
-    seconds: float, each: float, count: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_as_many_samples_as_fit(seconds, each, count, monkeypatch):
     clock = Clock(monkeypatch)
     done = []
     for sampler in in_time((Sampler(0, k) for k in range(64)), seconds, lambda: len(done)):
@@ -43,7 +41,7 @@ def test_as_many_samples_as_fit(
     assert clock.now - 100.0 <= max(seconds, each)
 
 
-def test_a_measurement_counts_for_the_whole_image(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_measurement_counts_for_the_whole_image(monkeypatch):
     clock = Clock(monkeypatch)
     rendered = []
 
@@ -73,7 +71,7 @@ quality: {seconds: LIMIT}
 
 
 @pytest.fixture
-def folder(tmp_path: Path) -> Path:
+def folder(tmp_path):
     tiers = (
         make_measured_tier("hq", 0.02, 9000),
         make_measured_tier("small", 0.04, 900),
@@ -92,9 +90,7 @@ def scene(folder: Path, limit: float) -> Path:
 @pytest.mark.parametrize(
     ("limit", "name"), [(1.7, "hq"), (1.0, "small"), (0.2, "tiny"), (0.01, "tiny")]
 )
-def test_cheaper_tiers_where_too_few_samples_would_fit(
-    folder: Path, limit: float, name: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_cheaper_tiers_where_too_few_samples_would_fit(folder, limit, name, monkeypatch):
     """16 samples are enough; here one takes 0.1, 0.05 or 0.02 seconds."""
     seconds = {"hq": 0.1, "small": 0.05, "tiny": 0.02}
     monkeypatch.setattr(world_in_time, "make_integrator", lambda _, world, **__: world)
@@ -105,9 +101,7 @@ def test_cheaper_tiers_where_too_few_samples_would_fit(
     assert [asset.tier.name for asset in world.objects] == [name]
 
 
-def test_a_render_ends_in_time_with_whole_samples(
-    folder: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_render_ends_in_time_with_whole_samples(folder, monkeypatch):
     file = read_scene(scene(folder, 10.0))
     integrator = make_integrator(file.scene, load_world(file))
     clock = Clock(monkeypatch)
@@ -118,7 +112,7 @@ def test_a_render_ends_in_time_with_whole_samples(
     assert render(file.scene, integrator, progress=advance).samples == 5
 
 
-def test_the_command_says_how_many_samples_there_was_time_for(folder: Path, capsys) -> None:
+def test_the_command_says_how_many_samples_there_was_time_for(folder, capsys):
     out = folder / "out.exr"
     assert main([str(scene(folder, 1e-6)), "--out", str(out)]) == 0
     assert read_exr(out)[1]["rnaSamples"] == "1"
@@ -127,7 +121,7 @@ def test_the_command_says_how_many_samples_there_was_time_for(folder: Path, caps
     assert "time for 1 of 64 samples" in output
 
 
-def test_a_sequence_keeps_frames_that_a_limit_ended(folder: Path, capsys) -> None:
+def test_a_sequence_keeps_frames_that_a_limit_ended(folder, capsys):
     path = scene(folder, 1e-6)
     with path.open("a") as file:
         file.write("animation: {frames: 2, turntable: {}}\n")

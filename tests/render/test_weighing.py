@@ -29,7 +29,7 @@ def numbers(*shape: int) -> np.ndarray:
     return np.where(RNG.random(shape) < 0.4, np.float32(0.0), values)
 
 
-def test_samples_worth_tracing() -> None:
+def test_samples_worth_tracing():
     n, m = 500, 50
     row, light = np.sort(RNG.integers(0, m, n)), RNG.integers(0, 3, n)
     instance, same_light = RNG.integers(0, 4, m).astype(np.int32), np.int32([-1, 0, 1, 2])
@@ -57,7 +57,7 @@ def test_samples_worth_tracing() -> None:
 
 
 @pytest.mark.parametrize("channels", [1, 3])
-def test_samples_of_which_something_is_left(channels: int) -> None:
+def test_samples_of_which_something_is_left(channels):
     n = 200
     arrays = (RNG.integers(0, 99, n) for _ in range(3))
     tried = Tried(*arrays, numbers(n, 3), numbers(n), RNG.integers(0, 9, n).astype(np.int32))
@@ -70,7 +70,7 @@ def test_samples_of_which_something_is_left(channels: int) -> None:
 
 
 @pytest.mark.parametrize("channels", [1, 3])
-def test_weights_of_samples(channels: int) -> None:
+def test_weights_of_samples(channels):
     n, k, m = 300, 100, 40
     radiance, pdf = numbers(n, 3), RNG.random(n).astype(np.float32) + np.float32(0.1)
     sample, row = np.sort(RNG.choice(n, k, replace=False)), np.sort(RNG.integers(0, m, k))
@@ -95,7 +95,7 @@ def test_weights_of_samples(channels: int) -> None:
 
 
 @pytest.mark.parametrize("both", [True, False])
-def test_weights_of_met_light(both: bool) -> None:
+def test_weights_of_met_light(both):
     n, k = 90, 40
     row = np.sort(RNG.choice(n, k, replace=False))
     radiance, pdf, beta, light_pdf = numbers(k, 3), numbers(k), numbers(n, 3), numbers(n)
@@ -111,7 +111,7 @@ def test_weights_of_met_light(both: bool) -> None:
 
 
 @pytest.mark.parametrize("coloured", [True, False])
-def test_weights_of_rays(coloured: bool) -> None:
+def test_weights_of_rays(coloured):
     k, m = 100, 40
     row, transport, pdf, beta = RNG.integers(0, m, k), numbers(k, 3), numbers(k), numbers(m, 3)
     passed = numbers(k, 3) if coloured else None
@@ -122,7 +122,7 @@ def test_weights_of_rays(coloured: bool) -> None:
     assert transport.any()
 
 
-def test_the_clamp_keeps_hues() -> None:
+def test_the_clamp_keeps_hues():
     radiance = np.float32([[0.5, 2.0, 1.0], [0.0, 0.0, 0.0], [0.9, 0.1, 0.0], [0.9, 0.0, 0.3]])
     taken = np.zeros(3, np.float32)
     clamp_paths(radiance, np.float32([1.0, 1.0, 1.0, 0.3]), np.array([2, 1, 0, 2]), taken)
@@ -133,7 +133,7 @@ def test_the_clamp_keeps_hues() -> None:
 
 @pytest.mark.parametrize("count", [1, 100, SMALL_BAND + 1, BAND + 1, 640 * 360, 1_000_001])
 @pytest.mark.parametrize("threads", [1, 2, 3])
-def test_bands_are_of_one_size_and_as_many_for_each_thread(count: int, threads: int) -> None:
+def test_bands_are_of_one_size_and_as_many_for_each_thread(count, threads):
     bands = _bands(count, threads, BAND)
     sizes = [len(band) for band in bands]
     assert (np.concatenate(bands) == np.arange(count)).all()
@@ -141,13 +141,13 @@ def test_bands_are_of_one_size_and_as_many_for_each_thread(count: int, threads: 
     assert len(bands) % threads == 0 or count <= threads * SMALL_BAND
 
 
-def test_bands_of_many_samples_are_as_few_as_they_can_be() -> None:
+def test_bands_of_many_samples_are_as_few_as_they_can_be():
     """Python's work for a band, one thread at a time, is that of as much light as possible."""
     assert len(_bands(8 * BAND, 16, BAND, samples=1)) == 16
     assert len(_bands(8 * BAND, 16, BAND, samples=64)) == 8
 
 
-def test_directions_of_an_image_are_those_of_plain_sums() -> None:
+def test_directions_of_an_image_are_those_of_plain_sums():
     """Cells by their running sums, in blocks or not: any number of directions, in any order."""
     texels = RNG.random((12, 20, 3)).astype(np.float32) ** 4
     image = EquirectangularImage(texels)

@@ -1,12 +1,11 @@
 """Packages and assets for the tests here."""
 
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from rna_sdk.package import Cost, Tier, Validation, write_package
-from rna_sdk.runtime import Asset, load
+from rna_sdk.runtime import load
 from tests.package.builders import (
     FIBER_INPUTS,
     INPUTS,
@@ -19,7 +18,7 @@ from tests.package.builders import (
 
 
 @pytest.fixture(scope="session")
-def asset_path(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
+def asset_path(tmp_path_factory):
     """Writes a package of one tier; the decoder's `width` and `layers`, then the tier's fields."""
 
     def write(width: int = 32, layers: int = 3, kind: str = "surface", **fields: object) -> Path:
@@ -34,7 +33,7 @@ def asset_path(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
 
 
 @pytest.fixture(scope="session", params=["surface", "fiber", "int8"])
-def asset(asset_path: Callable[..., Path], request: pytest.FixtureRequest) -> Asset:
+def asset(asset_path, request):
     """An asset whose decoder the runtime rewrites: either kind, or a surface in int8.
 
     On two threads.
@@ -48,7 +47,7 @@ def asset(asset_path: Callable[..., Path], request: pytest.FixtureRequest) -> As
 
 
 @pytest.fixture(scope="session")
-def tiers_path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def tiers_path(tmp_path_factory):
     """A package of four tiers: two validated, one not, one validated but without a cost."""
 
     def tier(name: str, psnr: float | None, multiply_adds: int | None) -> Tier:

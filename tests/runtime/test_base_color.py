@@ -24,9 +24,7 @@ STORED = 0.004
 
 
 @pytest.fixture(scope="session", params=product(PRECISIONS, ("small", "hq")), ids="-".join)
-def printed(
-    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
-) -> tuple[Path, str]:
+def printed(request, tmp_path_factory):
     """A package with factors in a tier of one decoder, or of two; and the tier."""
     precision, tier = request.param
     folder = tmp_path_factory.mktemp("print")
@@ -59,7 +57,7 @@ def by_hand(printed: tuple[Path, str], points: Points, base_color: np.ndarray) -
     return [visible, shadowed]
 
 
-def test_light_is_a_sum_of_which_one_term_has_the_base_colour(printed: tuple[Path, str]) -> None:
+def test_light_is_a_sum_of_which_one_term_has_the_base_colour(printed):
     points, base_color = random_points(3000), colours(3000)
     actual = opened(printed).evaluate(*points, base_color=base_color)
     share = 0.02 if "int8" in load(*printed).tier.parts[0].decoder_precision else 0
@@ -71,7 +69,7 @@ def test_light_is_a_sum_of_which_one_term_has_the_base_colour(printed: tuple[Pat
     assert all((a >= b).all() and (a > b).any() for a, b in zip(actual, black, strict=True))
 
 
-def test_a_row_depends_on_its_base_colour_alone(printed: tuple[Path, str]) -> None:
+def test_a_row_depends_on_its_base_colour_alone(printed):
     points, base_color = random_points(5003), colours(5003)
     expected = np.hstack(opened(printed).evaluate(*points, base_color=base_color))
     for threads, size in ((3, 5003), (2, 7), (1, 2049)):
@@ -87,9 +85,7 @@ def test_a_row_depends_on_its_base_colour_alone(printed: tuple[Path, str]) -> No
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
-def test_a_base_colour_that_is_not_finite_gives_black(
-    printed: tuple[Path, str], value: float
-) -> None:
+def test_a_base_colour_that_is_not_finite_gives_black(printed, value):
     asset, points, base_color = opened(printed), random_points(30), colours(30)
     expected = np.hstack(asset.evaluate(*points, base_color=base_color))
     for k in range(3):
@@ -100,15 +96,15 @@ def test_a_base_colour_that_is_not_finite_gives_black(
 
 
 def test_base_colours_out_of_range_give_light_that_is_finite_and_not_negative(
-    printed: tuple[Path, str],
-) -> None:
+    printed,
+):
     asset, points = opened(printed), random_points(6)
     base_color = np.float32([[-1, -1e30, 3e38], [2, 0, -0.0], [1e-45, 1, 1]] * 2)
     for light in asset.evaluate(*points, base_color=base_color):
         assert np.isfinite(light).all() and (light >= 0).all() and light.any()
 
 
-def test_a_missing_base_colour_is_an_error(printed: tuple[Path, str]) -> None:
+def test_a_missing_base_colour_is_an_error(printed):
     asset, points = opened(printed), random_points(5)
     assert asset.uses_base_color
     with pytest.raises(
@@ -120,7 +116,7 @@ def test_a_missing_base_colour_is_an_error(printed: tuple[Path, str]) -> None:
             asset.evaluate(*points, base_color=wrong)
 
 
-def test_an_asset_that_does_not_use_it_does_not_look_at_it(tmp_path: Path) -> None:
+def test_an_asset_that_does_not_use_it_does_not_look_at_it(tmp_path):
     path = make_print(tmp_path / "print.rna", tiers=tiers(None))
     points = random_points(50)
     for tier in ("small", "hq"):
@@ -133,7 +129,7 @@ def test_an_asset_that_does_not_use_it_does_not_look_at_it(tmp_path: Path) -> No
         np.testing.assert_allclose(asset.base_color_at(*hits(50, 4))[:, 0].max(), 0.8, atol=0.2)
 
 
-def test_an_asset_has_the_base_colour_of_its_package(printed: tuple[Path, str]) -> None:
+def test_an_asset_has_the_base_colour_of_its_package(printed):
     asset = opened(printed)
     with Package.open(printed[0]) as package:
         records = package.base_color()
@@ -171,7 +167,7 @@ IMAGES = {
 
 
 @pytest.mark.parametrize("name", IMAGES)
-def test_the_lookup_is_that_of_the_reference(name: str) -> None:
+def test_the_lookup_is_that_of_the_reference(name):
     size, wrap, transform, color_space = IMAGES[name]
     image = np.random.default_rng(1).integers(0, 256, (*size, 3), dtype=np.uint8)
     image.flags.writeable = False
@@ -209,7 +205,7 @@ def densities(mesh: Mesh, record: BaseColor) -> np.ndarray:
     return np.sqrt(np.divide(texels, area, out=np.zeros_like(area), where=area > 0))
 
 
-def test_the_last_level_is_the_mean_of_the_image() -> None:
+def test_the_last_level_is_the_mean_of_the_image():
     image = np.random.default_rng(1).integers(0, 256, (37, 22, 3), dtype=np.uint8)
     maps, at = BaseColorMaps(sheet(2), [BaseColor(0, 20, image, "linear")]), hits(40, 20)
     mean = np.broadcast_to((image / 255).mean(axis=(0, 1)), (40, 3))
@@ -218,12 +214,12 @@ def test_the_last_level_is_the_mean_of_the_image() -> None:
     np.testing.assert_array_equal(maps.at(*at, math.inf), far)
 
 
-def test_a_record_without_an_image_has_no_levels() -> None:
+def test_a_record_without_an_image_has_no_levels():
     with pytest.raises(QueryError, match="the record has no image"):
         base_color_levels(BaseColor(0, 20, None, factor=(0.2, 0.3, 0.4)))
 
 
-def test_encoded_colours_are_mixed_as_the_teacher_does() -> None:
+def test_encoded_colours_are_mixed_as_the_teacher_does():
     """Halfway between black and white is the linear value of the middle, 0.21."""
     image = np.uint8([[[0, 0, 0], [255, 255, 255]]])
     uvs = np.float32([[0.5, 0.5], [0.5, 0.5], [0.5, 0.5]])
@@ -236,7 +232,7 @@ def test_encoded_colours_are_mixed_as_the_teacher_does() -> None:
     np.testing.assert_allclose(wide.at(first, third, third), [[0.25, 0.5, 0]], atol=1e-6)
 
 
-def test_hits_that_are_not_there_are_refused(printed: tuple[Path, str]) -> None:
+def test_hits_that_are_not_there_are_refused(printed):
     asset = opened(printed)
     zero = np.zeros(2, np.float32)
     with pytest.raises(QueryError, match="primitives"):
@@ -248,7 +244,7 @@ def test_hits_that_are_not_there_are_refused(printed: tuple[Path, str]) -> None:
     assert asset.base_color_at(np.empty(0, np.int64), zero[:0], zero[:0]).shape == (0, 3)
 
 
-def test_print_beyond_the_planes_of_lobes(tmp_path: Path) -> None:
+def test_print_beyond_the_planes_of_lobes(tmp_path):
     """Its ratio; 1 of pixels that are wider than their texels, and of a part without lobes."""
     plain = make_print(tmp_path / "print.rna")
     asset = load(with_lobes(plain, tmp_path / "lobes.rna"))

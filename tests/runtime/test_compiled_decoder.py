@@ -40,7 +40,7 @@ def with_matrix(decoder: ProfileDecoder, numbers: int) -> ProfileDecoder:
 
 
 @pytest.mark.parametrize(("columns", "width", "layers"), SIZES)
-def test_equals_the_graph(columns: int, width: int, layers: int) -> None:
+def test_equals_the_graph(columns, width, layers):
     model = random_decoder(columns, width, layers)
     queries = random_queries(1000, columns)
     expected = plain(model, queries)
@@ -49,14 +49,14 @@ def test_equals_the_graph(columns: int, width: int, layers: int) -> None:
 
 
 @pytest.mark.parametrize("numbers", [6, 9, 24])
-def test_colours_by_a_matrix(numbers: int) -> None:
+def test_colours_by_a_matrix(numbers):
     model = with_matrix(random_decoder(20, 16, 2), numbers)
     queries = random_queries(300, 20)
     expected = plain(model, queries)
     np.testing.assert_allclose(CompiledDecoder(model).run(queries), expected, rtol=1e-4, atol=1e-5)
 
 
-def test_three_outputs_of_emission() -> None:
+def test_three_outputs_of_emission():
     model = random_decoder(20, 16, 2, outputs=3, output="emission")
     queries = random_queries(100, 20)
     expected = plain(model, queries)
@@ -66,7 +66,7 @@ def test_three_outputs_of_emission() -> None:
 
 
 @pytest.mark.parametrize(("columns", "width", "layers"), SIZES)
-def test_a_row_depends_on_nothing_else(columns: int, width: int, layers: int) -> None:
+def test_a_row_depends_on_nothing_else(columns, width, layers):
     decoder = CompiledDecoder(random_decoder(columns, width, layers))
     queries = random_queries(400, columns)
     expected = decoder.run(queries)
@@ -76,7 +76,7 @@ def test_a_row_depends_on_nothing_else(columns: int, width: int, layers: int) ->
             np.testing.assert_array_equal(decoder.run(queries[part]), expected[part])
 
 
-def test_registers_of_either_width_give_the_same_bits(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_registers_of_either_width_give_the_same_bits(monkeypatch):
     model = random_decoder(22, 16, 2)
     queries = random_queries(200, 22)
     actual = []
@@ -88,7 +88,7 @@ def test_registers_of_either_width_give_the_same_bits(monkeypatch: pytest.Monkey
     np.testing.assert_array_equal(*actual)
 
 
-def test_queries_are_clipped_and_results_may_be_infinite() -> None:
+def test_queries_are_clipped_and_results_may_be_infinite():
     weight = np.float32([[1.0, 0, 0, 0], [0, 1.0, 0, 0]])
     layers = [(weight, np.zeros(4, np.float32)), (np.eye(4, dtype=np.float32), np.zeros(4, "f4"))]
     decoder = of_layers(*layers)
@@ -104,7 +104,7 @@ def test_queries_are_clipped_and_results_may_be_infinite() -> None:
     )
 
 
-def test_narrow_decoders_run_in_it_and_wide_ones_do_not() -> None:
+def test_narrow_decoders_run_in_it_and_wide_ones_do_not():
     narrow, wide = (
         Decoder(random_decoder(22, width, 4)) for width in (COMPILED_WIDTH, 2 * COMPILED_WIDTH)
     )
@@ -112,7 +112,7 @@ def test_narrow_decoders_run_in_it_and_wide_ones_do_not() -> None:
     assert isinstance(wide._form, Graph)
 
 
-def test_later_processes_find_the_kernels_on_disk() -> None:
+def test_later_processes_find_the_kernels_on_disk():
     program = (
         "from rna_sdk.runtime.engine.compiled_decoder import decoder_kernel, register_lanes\n"
         "from rna_sdk.runtime.kernels.query_kernel import query_kernel\n"

@@ -37,7 +37,7 @@ def random_queries(n: int, columns: int = 22) -> np.ndarray:
 
 @pytest.mark.parametrize("columns", [3, 16, 22, 25])
 @pytest.mark.parametrize(("width", "layers"), [(16, 1), (32, 2), (64, 4), (128, 3)])
-def test_convolutions_equal_the_layers(columns: int, width: int, layers: int) -> None:
+def test_convolutions_equal_the_layers(columns, width, layers):
     model = random_decoder(columns, width, layers)
     converted = convolved(model)
     assert operators(converted).count("Conv") == layers + 1
@@ -48,7 +48,7 @@ def test_convolutions_equal_the_layers(columns: int, width: int, layers: int) ->
     onnx.checker.check_model(onnx.load_from_string(converted))
 
 
-def test_padding_columns_do_not_count() -> None:
+def test_padding_columns_do_not_count():
     decoder = Graph(convolved(random_decoder(22, 32, 2)))
     assert decoder.columns == 24
     queries = np.zeros((64, 24), np.float32)
@@ -58,14 +58,14 @@ def test_padding_columns_do_not_count() -> None:
     np.testing.assert_array_equal(decoder.run(queries), expected)
 
 
-def test_layers_that_fill_no_blocks_stay_as_they_are() -> None:
+def test_layers_that_fill_no_blocks_stay_as_they_are():
     assert float_graph(random_decoder(22, 24, 2)) is None
     assert _fast_form(random_decoder(22, 150, 2), 100.0) is None
 
 
 @pytest.mark.parametrize("as_it_is", [False, True])
 @pytest.mark.parametrize("width", [8, 16, 24, 64, 100, 256])
-def test_a_row_does_not_depend_on_place_or_number_of_rows(width: int, as_it_is: bool) -> None:
+def test_a_row_does_not_depend_on_place_or_number_of_rows(width, as_it_is):
     """What tiles rely on, of onnxruntime itself, and for row counts that tiles never have."""
     decoder = random_decoder(22, width, 4)
     graph = None if as_it_is else float_graph(decoder)
@@ -78,13 +78,13 @@ def test_a_row_does_not_depend_on_place_or_number_of_rows(width: int, as_it_is: 
             np.testing.assert_array_equal(run(model, queries[part]), expected[part])
 
 
-def test_larger_decoders_take_fewer_rows_at_once() -> None:
+def test_larger_decoders_take_fewer_rows_at_once():
     sizes = [Decoder(random_decoder(22, width, 4)).tile_rows for width in (64, 128, 192, 512)]
     assert sizes == [8192, 8192, 1024, 512]  # up to 128 compiled
 
 
 @pytest.mark.parametrize(("largest", "clips"), [(100.0, 1), (65504.0, 1), (65505.0, 2)])
-def test_a_clip_that_changes_no_query_is_left_out(largest: float, clips: int) -> None:
+def test_a_clip_that_changes_no_query_is_left_out(largest, clips):
     model = random_decoder(22, 32, 2)
     converted = convolved(model, largest)
     assert operators(converted).count("Clip") == clips
@@ -93,7 +93,7 @@ def test_a_clip_that_changes_no_query_is_left_out(largest: float, clips: int) ->
 
 
 @pytest.mark.parametrize("precision", ["float16", "float32"])
-def test_no_query_exceeds_the_bound_that_the_decoder_is_told(precision: str) -> None:
+def test_no_query_exceeds_the_bound_that_the_decoder_is_told(precision):
     planes = np.full((3, 8, 8, 4), -40.0, precision)
     planes[0, 0, 0, 0] = 30
     part = make_tier_part(plane_precision=precision)
@@ -103,7 +103,7 @@ def test_no_query_exceeds_the_bound_that_the_decoder_is_told(precision: str) -> 
 
 
 @pytest.mark.parametrize("make", [random_decoder, random_int8_decoder])
-def test_a_fast_form_that_differs_gives_way_to_the_graph(make, monkeypatch) -> None:
+def test_a_fast_form_that_differs_gives_way_to_the_graph(make, monkeypatch):
     model = make(22, 160, 2)
     queries = random_queries(200)
     expected = onnx_result(model, queries)
@@ -118,12 +118,12 @@ def test_a_fast_form_that_differs_gives_way_to_the_graph(make, monkeypatch) -> N
 
 @pytest.mark.parametrize("width", [16, 64, 256, 512])
 @pytest.mark.parametrize("make", [random_decoder, random_int8_decoder])
-def test_a_fast_form_that_agrees_stays(make, width: int) -> None:
+def test_a_fast_form_that_agrees_stays(make, width):
     Decoder(make(22, width, 4))  # a warning would be an error
 
 
 @pytest.mark.parametrize(("columns", "width", "layers"), [(20, 160, 1), (36, 256, 2), (22, 256, 4)])
-def test_rounding_of_large_queries_is_no_difference(columns: int, width: int, layers: int) -> None:
+def test_rounding_of_large_queries_is_no_difference(columns, width, layers):
     """Queries of 100 make sums whose terms cancel: the graph itself is as far from exact."""
     for seed in (0, 5):  # a warning would be an error
         Decoder(random_decoder(columns, width, layers, seed=seed))

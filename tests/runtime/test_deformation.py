@@ -1,8 +1,5 @@
 """Rest points of deformed shapes: rigid motion, bending, stretching, triangles without area."""
 
-from collections.abc import Callable
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -68,7 +65,7 @@ def posed(mesh: Mesh, positions: np.ndarray) -> DeformedMesh:
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_rigid_motion_of_a_mesh_is_its_transform(seed: int) -> None:
+def test_rigid_motion_of_a_mesh_is_its_transform(seed):
     mesh, transform = grid(), Transform(placed(seed))
     shape = posed(mesh, transform.to_world_points(mesh.positions))
     expected = transform.to_world_normals(mesh.normals)
@@ -83,7 +80,7 @@ def test_rigid_motion_of_a_mesh_is_its_transform(seed: int) -> None:
     np.testing.assert_allclose(rest.to_deformed(rest.to_rest(wi)), wi, atol=1e-6)
 
 
-def test_rigid_motion_by_half_a_turn(asset_path: Callable[..., Path]) -> None:
+def test_rigid_motion_by_half_a_turn(asset_path):
     """The decoder of a whole asset gives what it gives at rest; the tetrahedron has hard edges."""
     asset = load(asset_path())
     matrix = np.diag([-1.0, 1.0, -1.0, 1.0])
@@ -103,7 +100,7 @@ def test_rigid_motion_by_half_a_turn(asset_path: Callable[..., Path]) -> None:
     "curves", [curls(40), curls(1), straight(((0, 0, 0), (0.1, 0.4, 0), (0.5, 0.6, 0.3)))]
 )
 @pytest.mark.parametrize("seed", range(3))
-def test_rigid_motion_of_strands_is_their_transform(curves: Curves, seed: int) -> None:
+def test_rigid_motion_of_strands_is_their_transform(curves, seed):
     """Twist included, which the tangents alone do not tell."""
     transform = Transform(placed(seed))
     shape = RestCurves(curves).deformed(transform.to_world_points(curves.points))
@@ -122,7 +119,7 @@ def test_rigid_motion_of_strands_is_their_transform(curves: Curves, seed: int) -
     np.testing.assert_allclose(rest.positions, centre + radius[:, None] * n, atol=2e-5)
 
 
-def test_motion_of_one_straight_strand_turns_by_the_smallest_angle() -> None:
+def test_motion_of_one_straight_strand_turns_by_the_smallest_angle():
     curves = straight(((0, 0, 0), (0, 1, 0), (0, 2, 0)))
     shape = RestCurves(curves).deformed(np.float32([[0, 0, 0], [1, 0, 0], [2, 0, 0]]))
     rest = shape.rest_points(np.int32([0, 1]), np.zeros(2, np.float32), np.float32([[0, 0, 1]] * 2))
@@ -130,7 +127,7 @@ def test_motion_of_one_straight_strand_turns_by_the_smallest_angle() -> None:
     np.testing.assert_allclose(actual, [[0, 1, 0], [0, 0, 1]], atol=1e-5)
 
 
-def test_motion_of_strands_on_skin_that_turns_about_them() -> None:
+def test_motion_of_strands_on_skin_that_turns_about_them():
     """Straight hair on a disc that spins: only the neighbours tell the twist."""
     rng = np.random.default_rng(0)
     roots = np.column_stack([rng.uniform(-1, 1, 200), np.zeros(200), rng.uniform(-1, 1, 200)])
@@ -147,7 +144,7 @@ def test_motion_of_strands_on_skin_that_turns_about_them() -> None:
     )
 
 
-def test_motion_along_a_bent_strand_carries_the_twist() -> None:
+def test_motion_along_a_bent_strand_carries_the_twist():
     """A strand bent about z to a half circle: each segment turns about z alone."""
     height = np.linspace(0, 1, 21)
     rest_points = np.column_stack([0 * height, height, 0 * height])
@@ -162,7 +159,7 @@ def test_motion_along_a_bent_strand_carries_the_twist() -> None:
     np.testing.assert_allclose(rest.to_rest(tangents), np.tile([0, 1, 0], (20, 1)), atol=1e-4)
 
 
-def test_motion_that_bends_a_sheet_turns_normals_with_it() -> None:
+def test_motion_that_bends_a_sheet_turns_normals_with_it():
     """A flat sheet rolled into a cylinder; deformed normals, and directions, follow it."""
     flat = grid(40)
     sheet = Mesh(
@@ -186,7 +183,7 @@ def test_motion_that_bends_a_sheet_turns_normals_with_it() -> None:
 
 
 @pytest.mark.parametrize(("x", "z"), [(2.0, 1.0), (0.5, 0.5), (1.0, 3.0)])
-def test_motion_that_stretches_along_axes_turns_nothing(x: float, z: float) -> None:
+def test_motion_that_stretches_along_axes_turns_nothing(x, z):
     """A flat sheet: the stretch is symmetric, so its polar rotation is the identity."""
     flat = grid()
     up = np.tile(np.float32([0, 1, 0]), (len(flat.positions), 1))
@@ -197,7 +194,7 @@ def test_motion_that_stretches_along_axes_turns_nothing(x: float, z: float) -> N
     np.testing.assert_allclose(rest.to_rest(wi), wi, atol=1e-5)
 
 
-def test_motion_that_shears_turns_by_the_polar_rotation() -> None:
+def test_motion_that_shears_turns_by_the_polar_rotation():
     flat = grid()
     up = np.tile(np.float32([0, 1, 0]), (len(flat.positions), 1))
     sheet = Mesh(np.float32(flat.positions * (1, 0, 1)), up, None, flat.triangles)
@@ -209,7 +206,7 @@ def test_motion_that_shears_turns_by_the_polar_rotation() -> None:
     np.testing.assert_allclose(rest.to_rest(wi), wi @ (left @ right), atol=1e-5)
 
 
-def test_motion_makes_no_seam_where_vertices_are_doubled() -> None:
+def test_motion_makes_no_seam_where_vertices_are_doubled():
     """As on cuts of texture coordinates: one place, one normal, two vertices."""
     mesh = grid()
     corners = mesh.triangles.reshape(-1)
@@ -225,7 +222,7 @@ def test_motion_makes_no_seam_where_vertices_are_doubled() -> None:
 
 
 @pytest.mark.parametrize("collapse", ["point", "line"])
-def test_motion_onto_a_point_or_line_has_an_answer(collapse: str) -> None:
+def test_motion_onto_a_point_or_line_has_an_answer(collapse):
     mesh = grid(4)
     moved = mesh.positions * np.float32(0 if collapse == "point" else (1, 0, 0))
     shape = posed(mesh, moved)
@@ -237,7 +234,7 @@ def test_motion_onto_a_point_or_line_has_an_answer(collapse: str) -> None:
     np.testing.assert_allclose(rest.positions, at(mesh.positions, mesh.triangles, place), atol=1e-7)
 
 
-def test_motion_of_one_flat_triangle_turns_as_its_normal_does() -> None:
+def test_motion_of_one_flat_triangle_turns_as_its_normal_does():
     mesh = grid(6)
     turned = mesh.positions @ np.float32(rotation(1)).T
     turned[mesh.triangles[7]] = turned[mesh.triangles[7, 0]]
@@ -249,7 +246,7 @@ def test_motion_of_one_flat_triangle_turns_as_its_normal_does() -> None:
     np.testing.assert_allclose(rest.to_rest(n), rest.axes, atol=1e-6)
 
 
-def test_motion_onto_a_point_of_strands_has_an_answer() -> None:
+def test_motion_onto_a_point_of_strands_has_an_answer():
     curves = curls(5)
     shape = RestCurves(curves).deformed(np.zeros_like(curves.points))
     count = len(curves.segments())
@@ -259,7 +256,7 @@ def test_motion_onto_a_point_of_strands_has_an_answer() -> None:
     assert np.diff(shape.curves.points, axis=0).any(axis=1).all()
 
 
-def test_motion_is_the_same_on_any_threads() -> None:
+def test_motion_is_the_same_on_any_threads():
     from rna_sdk.machine.kernel_threads import limit_kernel_threads
 
     mesh, bent = grid(), grid().positions[:, [1, 2, 0]]
@@ -280,12 +277,12 @@ def test_motion_is_the_same_on_any_threads() -> None:
         (np.full((144, 3), np.nan, np.float32), "positions: row 0 is .*, expected finite"),
     ],
 )
-def test_wrong_positions_of_a_motion(positions: np.ndarray, message: str) -> None:
+def test_wrong_positions_of_a_motion(positions, message):
     with pytest.raises(QueryError, match=message):
         RestMesh(grid()).deformed(positions)
 
 
-def test_wrong_hits_of_a_motion() -> None:
+def test_wrong_hits_of_a_motion():
     shape, one = posed(grid(), grid().positions), np.zeros(1, np.float32)
     with pytest.raises(QueryError, match="triangle: a number is outside"):
         shape.rest_points(np.int32([242]), one, one)

@@ -1,7 +1,5 @@
 """Which directions a domain holds."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -23,11 +21,11 @@ def tilted(angle: float) -> np.ndarray:
     ("angle", "within"),
     [(0.0, True), (0.099, True), (0.101, False), (1.06, False), (1.08, True), (3.0, False)],
 )
-def test_cones_hold_what_is_near_any_axis(angle: float, within: bool) -> None:
+def test_cones_hold_what_is_near_any_axis(angle, within):
     assert in_region(CONES, tilted(angle)).tolist() == [within]
 
 
-def test_a_cone_without_width_holds_its_axis() -> None:
+def test_a_cone_without_width_holds_its_axis():
     axis = np.array([0.48, 0.6, 0.64])
     cone = Cone(axis=tuple(axis.tolist()), half_angle=0.0)
     assert in_region((cone,), axis[None].astype(np.float32)).all()
@@ -36,25 +34,25 @@ def test_a_cone_without_width_holds_its_axis() -> None:
 @pytest.mark.parametrize(
     ("length", "angle", "within"), [(0.9991, 0.01, True), (1.0009, 0.04, False)]
 )
-def test_the_length_of_an_axis_changes_nothing(length: float, angle: float, within: bool) -> None:
+def test_the_length_of_an_axis_changes_nothing(length, angle, within):
     cone = Cone(axis=(0.0, length, 0.0), half_angle=0.02)
     assert in_region((cone,), tilted(angle)).tolist() == [within]
 
 
-def test_sphere_and_hemisphere() -> None:
+def test_sphere_and_hemisphere():
     down = np.float32([[0, -1, 0], [0, 1, 0], [1, 0, 0]])
     assert in_region("sphere", down).tolist() == [True, True, True]
     assert in_region("hemisphere", down).tolist() == [False, True, True]
 
 
-def test_other_arrays_are_refused() -> None:
+def test_other_arrays_are_refused():
     with pytest.raises(QueryError, match=r"region: expected sphere.* found 'nosuch'"):
         in_region("nosuch", np.zeros((1, 3), np.float32))
     with pytest.raises(QueryError, match="directions"):
         in_region("sphere", np.zeros((2, 2), np.float32))
 
 
-def test_cones_go_through_a_package(tmp_path: Path) -> None:
+def test_cones_go_through_a_package(tmp_path):
     domain = Domain(wo=CONES, wi="hemisphere")
     path = make_tiny_package(tmp_path / "a.rna", domain=domain)
     assert load(path).domain == domain

@@ -1,9 +1,7 @@
 """`evaluate` of either kind: right, the same to the bit however called, safe for any input."""
 
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import fields, replace
-from pathlib import Path
 
 import numpy as np
 import onnxruntime as ort
@@ -26,7 +24,7 @@ def both(asset: Asset, points: Arrays) -> np.ndarray:
 
 
 @ANY_KIND
-def test_equals_the_package_evaluated_by_hand(asset_path: Callable[..., Path], kind: str) -> None:
+def test_equals_the_package_evaluated_by_hand(asset_path, kind):
     path = asset_path(resolution=16, channels=8, kind=kind)
     points = points_for(load(path), 3000)
     reference = fiber_queries_reference if kind == "fiber" else queries_reference
@@ -44,9 +42,7 @@ def test_equals_the_package_evaluated_by_hand(asset_path: Callable[..., Path], k
 
 @ANY_KIND
 @pytest.mark.parametrize("width", [8, 16, 64, 128])
-def test_result_depends_on_the_row_alone(
-    asset_path: Callable[..., Path], width: int, kind: str
-) -> None:
+def test_result_depends_on_the_row_alone(asset_path, width, kind):
     path = asset_path(width, layers=4, kind=kind, resolution=16, channels=8)
     points = points_for(load(path), 5003)
     expected = both(load(path, threads=1), points)
@@ -61,7 +57,7 @@ def test_result_depends_on_the_row_alone(
     np.testing.assert_array_equal(both(asset, points[order]), expected[order])
 
 
-def test_bad_neighbours_change_nothing(asset: Asset) -> None:
+def test_bad_neighbours_change_nothing(asset):
     points = points_for(asset, 1000)
     expected = both(asset, points)
     points.wi[::3] = np.nan
@@ -70,13 +66,13 @@ def test_bad_neighbours_change_nothing(asset: Asset) -> None:
     assert not actual[::3].any() and expected[::3].any()
 
 
-def test_an_empty_batch_is_legal(asset: Asset) -> None:
+def test_an_empty_batch_is_legal(asset):
     visible, shadowed = asset.evaluate(*points_for(asset, 0))
     assert visible.shape == shadowed.shape == (0, 3)
     assert visible.dtype == shadowed.dtype == np.float32
 
 
-def test_threads_may_call_at_the_same_time(asset: Asset) -> None:
+def test_threads_may_call_at_the_same_time(asset):
     batches = [points_for(asset, 3001, seed) for seed in range(8)]
     expected = [both(asset, points) for points in batches]
     with ThreadPoolExecutor(8) as pool:
@@ -84,9 +80,7 @@ def test_threads_may_call_at_the_same_time(asset: Asset) -> None:
             np.testing.assert_array_equal(actual, want)
 
 
-def test_each_tile_is_evaluated_once(
-    asset_path: Callable[..., Path], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_each_tile_is_evaluated_once(asset_path, monkeypatch):
     rows: list[int] = []
     run = Decoder.run
 
@@ -99,7 +93,7 @@ def test_each_tile_is_evaluated_once(
     assert sorted(rows) == [1600, 1680, 1680, 1680, 1680, 1680]
 
 
-def test_any_mix_of_odd_numbers_gives_finite_and_non_negative_transport(asset: Asset) -> None:
+def test_any_mix_of_odd_numbers_gives_finite_and_non_negative_transport(asset):
     odd = [0.0, -0.0, np.nan, np.inf, -np.inf, FLOAT_MAX, -FLOAT_MAX, 1e-45, -1e-40, 1.0, -0.5]
     rng = np.random.default_rng(0)
     points = points_for(asset, 20_000)
@@ -117,7 +111,7 @@ def test_any_mix_of_odd_numbers_gives_finite_and_non_negative_transport(asset: A
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
-def test_a_number_that_is_not_finite_gives_black(asset: Asset, value: float) -> None:
+def test_a_number_that_is_not_finite_gives_black(asset, value):
     points = points_for(asset, 20)
     expected = both(asset, points)
     assert expected.any(axis=1).all()
@@ -132,7 +126,7 @@ def test_a_number_that_is_not_finite_gives_black(asset: Asset, value: float) -> 
 
 
 @pytest.mark.parametrize("which", ["axis", "wo", "wi"])
-def test_a_direction_without_length_gives_black(asset: Asset, which: str) -> None:
+def test_a_direction_without_length_gives_black(asset, which):
     points = points_for(asset, 20)
     assert both(asset, points)[7].any()
     direction = list(points)[1] if which == "axis" else getattr(points, which)
@@ -140,7 +134,7 @@ def test_a_direction_without_length_gives_black(asset: Asset, which: str) -> Non
     assert not both(asset, points)[7].any()
 
 
-def test_positions_outside_are_moved_to_the_bounds(asset: Asset) -> None:
+def test_positions_outside_are_moved_to_the_bounds(asset):
     points = points_for(asset, 500, reach=5.0)
     inside = replace(points, positions=np.clip(points.positions, -1, 1))
     np.testing.assert_array_equal(both(asset, points), both(asset, inside))
@@ -149,7 +143,7 @@ def test_positions_outside_are_moved_to_the_bounds(asset: Asset) -> None:
     np.testing.assert_array_equal(both(asset, far), both(asset, corner))
 
 
-def test_h_beyond_the_edge_is_at_the_edge(asset_path: Callable[..., Path]) -> None:
+def test_h_beyond_the_edge_is_at_the_edge(asset_path):
     asset = load(asset_path(kind="fiber"))
     points = random_fiber_points(100)
     points.h[:] = [1, -1] * 50
@@ -174,7 +168,7 @@ def test_h_beyond_the_edge_is_at_the_edge(asset_path: Callable[..., Path]) -> No
         (None, "NoneType"),
     ],
 )
-def test_a_wrong_array_is_named(asset: Asset, bad: object, actual: str) -> None:
+def test_a_wrong_array_is_named(asset, bad, actual):
     points = points_for(asset, 5)
     for place, field in enumerate(fields(points)):
         arguments: list[object] = list(points)
@@ -184,7 +178,7 @@ def test_a_wrong_array_is_named(asset: Asset, bad: object, actual: str) -> None:
             asset.evaluate(*arguments)
 
 
-def test_arrays_of_different_length_are_refused(asset: Asset) -> None:
+def test_arrays_of_different_length_are_refused(asset):
     points = points_for(asset, 5)
     for place, field in list(enumerate(fields(points)))[1:]:
         arguments = list(points)
@@ -194,7 +188,7 @@ def test_arrays_of_different_length_are_refused(asset: Asset) -> None:
             asset.evaluate(*arguments)
 
 
-def test_arrays_with_gaps_and_read_only_arrays_are_taken(asset: Asset) -> None:
+def test_arrays_with_gaps_and_read_only_arrays_are_taken(asset):
     points = points_for(asset, 300)
     expected = both(asset, points)
     gaps = type(points)(*(np.repeat(array, 2, axis=0)[::2] for array in points))
@@ -205,7 +199,7 @@ def test_arrays_with_gaps_and_read_only_arrays_are_taken(asset: Asset) -> None:
     np.testing.assert_array_equal(both(asset, points), expected)
 
 
-def test_results_can_be_written_into_arrays_of_the_caller(asset: Asset) -> None:
+def test_results_can_be_written_into_arrays_of_the_caller(asset):
     points = points_for(asset, 5000)
     out = np.full((5000, 3), np.nan, np.float32), np.full((5000, 3), np.nan, np.float32)
     returned = asset.evaluate(*points, out=out)
@@ -224,12 +218,12 @@ def test_results_can_be_written_into_arrays_of_the_caller(asset: Asset) -> None:
         ((np.zeros((7, 3), np.float32),) * 2, "out: expected arrays of their own memory"),
     ],
 )
-def test_results_that_cannot_be_written_are_refused(asset: Asset, bad: object, actual: str) -> None:
+def test_results_that_cannot_be_written_are_refused(asset, bad, actual):
     with pytest.raises(QueryError, match=actual):
         asset.evaluate(*points_for(asset, 7), out=bad)
 
 
-def test_results_in_the_place_of_the_query_are_refused(asset: Asset) -> None:
+def test_results_in_the_place_of_the_query_are_refused(asset):
     """The second of two decoders would read the results of the first."""
     points = points_for(asset, 7)
     for array in points:

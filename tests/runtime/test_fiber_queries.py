@@ -33,11 +33,11 @@ def assert_equals_twin(
     "inputs",
     [FIBER_INPUTS, ALL, ALL[::-1], ("fiber_lobes",), ("h", "fiber_angles"), ("tangent", "wi")],
 )
-def test_equals_its_twin(inputs: tuple[str, ...]) -> None:
+def test_equals_its_twin(inputs):
     assert_equals_twin(random_fiber_points(2000, reach=2.5), inputs)
 
 
-def test_equals_its_twin_where_directions_and_edges_meet() -> None:
+def test_equals_its_twin_where_directions_and_edges_meet():
     t = random_fiber_points(40).tangents
     other = random_fiber_points(40, seed=1)
     directions = [t, -t, other.wo, -other.wo, other.wi]
@@ -48,7 +48,7 @@ def test_equals_its_twin_where_directions_and_edges_meet() -> None:
 
 
 @pytest.mark.parametrize("angle", [1e-4, 1e-3, 1e-2])
-def test_equals_its_twin_near_the_tangent(angle: float) -> None:
+def test_equals_its_twin_near_the_tangent(angle):
     points = random_fiber_points(500)
     near = points.tangents + np.float32(angle) * points.wo
     # Unit vectors of float32 tell phi no better than this: the D of spec/RNA.md, 8.2.
@@ -57,13 +57,13 @@ def test_equals_its_twin_near_the_tangent(angle: float) -> None:
     assert_equals_twin(replace(points, wi=near), atol=atol)
 
 
-def test_along_the_fiber_phi_is_zero() -> None:
+def test_along_the_fiber_phi_is_zero():
     points = random_fiber_points(100)
     queries, _ = filled(PLANES, replace(points, wo=points.tangents), ("fiber_angles",))
     np.testing.assert_array_equal(queries[:, 4:], np.tile(np.float32([1, 0]), (100, 1)))
 
 
-def test_a_row_that_cannot_be_filled_is_zero() -> None:
+def test_a_row_that_cannot_be_filled_is_zero():
     expected, _ = filled(PLANES, random_fiber_points(10), ALL)
     for argument in range(5):
         points = random_fiber_points(10)
@@ -74,7 +74,7 @@ def test_a_row_that_cannot_be_filled_is_zero() -> None:
         np.testing.assert_array_equal(queries[valid], expected[valid])
 
 
-def test_length_of_directions_does_not_count() -> None:
+def test_length_of_directions_does_not_count():
     points = random_fiber_points(100)
     scaled = FiberPoints(
         points.positions,
@@ -121,7 +121,7 @@ def next_normal(d: np.ndarray, n: np.ndarray, t: np.ndarray) -> np.ndarray:
 
 @pytest.mark.parametrize("elevation", [0.0, 0.3, -1.2])
 @pytest.mark.parametrize("turn", [0.0, 1.0, -2.0])
-def test_lobes_peak_where_a_glass_cylinder_sends_the_ray(elevation: float, turn: float) -> None:
+def test_lobes_peak_where_a_glass_cylinder_sends_the_ray(elevation, turn):
     """Rays traced through a cylinder in space, by Snell's law for vectors and no shortcut."""
     rng = np.random.default_rng(0)
     t = unit_vectors(rng, 300).astype(np.float64)
@@ -146,7 +146,7 @@ def test_lobes_peak_where_a_glass_cylinder_sends_the_ray(elevation: float, turn:
         np.testing.assert_allclose(actual, np.cos(turn), atol=2e-4 if turn else 2e-6)
 
 
-def test_straight_through_the_middle() -> None:
+def test_straight_through_the_middle():
     """h = 0 seen from across: R comes back, TT goes on, TRT comes back."""
     t = unit_vectors(np.random.default_rng(0), 50)
     wo = in_frame(t, 0.0, 0.0)
@@ -154,7 +154,7 @@ def test_straight_through_the_middle() -> None:
     np.testing.assert_allclose(actual, np.tile([-1, 1, -1], (50, 1)), atol=1e-6)
 
 
-def test_lobes_do_not_see_a_mirror() -> None:
+def test_lobes_do_not_see_a_mirror():
     """A mirror image, h included, has the same lobes and the opposite sin(phi)."""
     points = random_fiber_points(300)
     points.tangents[:] = [0, 1, 0]

@@ -32,6 +32,6 @@ CALLS: dict[str, Callable[[np.ndarray, np.ndarray], object]] = {
         ([0], "triangle: expected an .* found list"),
     ],
 )
-def test_triangles_that_are_not_there(name: str, triangle: np.ndarray, message: str) -> None:
+def test_triangles_that_are_not_there(name, triangle, message):
     with pytest.raises(QueryError, match=message):
         CALLS[name](triangle, np.zeros(1, np.float32))

@@ -24,7 +24,7 @@ def random_queries(n: int) -> np.ndarray:
 
 
 @pytest.mark.parametrize(("width", "layers"), [(8, 1), (24, 2), (64, 4), (128, 3), (384, 2)])
-def test_integers_equal_the_format(width: int, layers: int) -> None:
+def test_integers_equal_the_format(width, layers):
     model = random_int8_decoder(22, width, layers)
     queries = random_queries(2000)
     expected = onnx_result(model, queries)
@@ -39,14 +39,14 @@ def test_integers_equal_the_format(width: int, layers: int) -> None:
 @pytest.mark.parametrize(
     ("width", "convolutions", "products"), [(64, 3, 1), (256, 3, 1), (264, 0, 4)]
 )
-def test_each_layer_is_one_operator(width: int, convolutions: int, products: int) -> None:
+def test_each_layer_is_one_operator(width, convolutions, products):
     fused = fused_operators(random_int8_decoder(22, width, 3))
     assert (fused.count("QLinearConv"), fused.count("QGemm")) == (convolutions, products)
     assert not {"Gemm", "QuantizeLinear", "DequantizeLinear", "Add"} & set(fused)
 
 
 @pytest.mark.parametrize("width", [8, 24, 64, 100, 256, 264])
-def test_a_row_does_not_depend_on_place_or_number_of_rows(width: int) -> None:
+def test_a_row_does_not_depend_on_place_or_number_of_rows(width):
     decoder = Decoder(random_int8_decoder(22, width, 4))
     queries = random_queries(2048)
     expected = decoder.run(queries)
@@ -56,14 +56,14 @@ def test_a_row_does_not_depend_on_place_or_number_of_rows(width: int) -> None:
             np.testing.assert_array_equal(decoder.run(queries[part]), expected[part])
 
 
-def test_any_finite_query_gives_finite_transport() -> None:
+def test_any_finite_query_gives_finite_transport():
     decoder = Decoder(random_int8_decoder(22, 64, 4))
     odd = np.float32([0.0, -0.0, 3.4e38, -3.4e38, 1e-45, -1e-40, 65504.0, 1.0])
     transport = decoder.run(np.random.default_rng(0).choice(odd, (5000, 22)))
     assert np.isfinite(transport).all() and (transport >= 0).all()
 
 
-def test_queries_may_have_another_step_than_one() -> None:
+def test_queries_may_have_another_step_than_one():
     one = random_int8_decoder(22, 64, 2)
     assert one.gain is not None and one.offset is not None and one.layers[0].scale is not None
     first = replace(one.layers[0], step=4.0, scale=one.layers[0].scale / 4)

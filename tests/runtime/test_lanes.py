@@ -19,7 +19,7 @@ def _functions(x, results):
         store_lanes(results, np.uintp(k * LANES), values)
 
 
-def test_functions_of_numbers() -> None:
+def test_functions_of_numbers():
     x = in_lanes([1e-8, 1e-4, 0.1, 0.70710677, 0.7071068, 1, 1.5, 2, 17, 50, 87.9, 88.5, 88.73, 99])
     results = np.empty((3, LANES), np.float32)
     _functions(x, results.reshape(-1))
@@ -32,7 +32,7 @@ def test_functions_of_numbers() -> None:
     np.testing.assert_array_equal(results[2], np.clip(x, 0.5, 2.0))
 
 
-def test_nothing_is_between_as_the_lower_limit() -> None:
+def test_nothing_is_between_as_the_lower_limit():
     results = np.empty((3, LANES), np.float32)
     _functions(in_lanes([np.nan, np.inf, -np.inf]), results.reshape(-1))
     np.testing.assert_array_equal(results[2, :3], [0.5, 2.0, 0.5])
@@ -44,7 +44,7 @@ def _unit(rows, results):
         store_lanes(results, np.uintp(k * LANES), values)
 
 
-def test_directions_of_any_length_become_unit_vectors() -> None:
+def test_directions_of_any_length_become_unit_vectors():
     rng = np.random.default_rng(0)
     for lengths in (np.ones(LANES), 10.0 ** np.linspace(-37, 37, LANES)):
         rows = rng.normal(size=(LANES, 3))

@@ -5,10 +5,7 @@ import os
 import pickle
 import subprocess
 import sys
-from collections.abc import Callable
-from pathlib import Path
 from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -22,11 +19,11 @@ from tests.package.lantern import make_lantern
 from tests.runtime.points import random_points
 
 
-def test_the_first_tier_is_the_default(tiers_path: Path) -> None:
+def test_the_first_tier_is_the_default(tiers_path):
     assert load(tiers_path).tier.name == "hq"
 
 
-def test_an_asset_tells_in_one_line_what_it_is(tiers_path: Path, tmp_path: Path) -> None:
+def test_an_asset_tells_in_one_line_what_it_is(tiers_path, tmp_path):
     size, asset = f"{tiers_path.stat().st_size:,} bytes", load(tiers_path, tier="small")
     assert repr(asset) == (
         f"<SurfaceAsset {asset.name!r}: {asset.name} (surface); "
@@ -43,9 +40,7 @@ def test_an_asset_tells_in_one_line_what_it_is(tiers_path: Path, tmp_path: Path)
 
 
 @pytest.mark.parametrize("copied", [pickle.dumps, copy.copy, copy.deepcopy])
-def test_a_pickled_asset_says_what_to_do_instead(
-    tiers_path: Path, copied: Callable[[object], object]
-) -> None:
+def test_a_pickled_asset_says_what_to_do_instead(tiers_path, copied):
     with pytest.raises(QueryError, match=r"call load\(path\) in each process"):
         copied(load(tiers_path))
 
@@ -67,14 +62,14 @@ sys.exit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork on this system")
-def test_a_forked_process_evaluates_as_the_one_before(tiers_path: Path) -> None:
+def test_a_forked_process_evaluates_as_the_one_before(tiers_path):
     """Threads do not live on in it: neither may it wait for them."""
     command = [sys.executable, "-W", "ignore", "-c", FORKED, str(tiers_path)]
     assert subprocess.run(command, timeout=120).returncode == 0
 
 
 @pytest.mark.parametrize(("min_psnr", "name"), [(35, "fast"), (39.9, "plain")])
-def test_multiply_adds_of_int8_count_half(min_psnr: float, name: str) -> None:
+def test_multiply_adds_of_int8_count_half(min_psnr, name):
     def tier(name: str, psnr: float, multiply_adds: int, precision: str) -> Tier:
         return make_tier(
             name,
@@ -91,7 +86,7 @@ def test_multiply_adds_of_int8_count_half(min_psnr: float, name: str) -> None:
     assert choose_tier(package, None, min_psnr).name == name
 
 
-def test_a_tier_is_taken_by_name(tiers_path: Path) -> None:
+def test_a_tier_is_taken_by_name(tiers_path):
     small, hq = (load(tiers_path, tier=name) for name in ("small", "hq"))
     assert small.tier.name == "small"
     points = random_points(10)
@@ -101,9 +96,7 @@ def test_a_tier_is_taken_by_name(tiers_path: Path) -> None:
 @pytest.mark.parametrize(
     ("min_psnr", "name"), [(30, "small"), (35, "small"), (35.1, "hq"), (45, "odd")]
 )
-def test_the_cheapest_tier_that_is_good_enough(
-    tiers_path: Path, min_psnr: float, name: str
-) -> None:
+def test_the_cheapest_tier_that_is_good_enough(tiers_path, min_psnr, name):
     assert load(tiers_path, min_psnr=min_psnr).tier.name == name
 
 
@@ -120,33 +113,31 @@ def test_the_cheapest_tier_that_is_good_enough(
         ({"threads": True}, "threads: expected .* found True"),
     ],
 )
-def test_what_cannot_be_loaded_is_said(
-    tiers_path: Path, arguments: dict[str, object], message: str
-) -> None:
+def test_what_cannot_be_loaded_is_said(tiers_path, arguments, message):
     with pytest.raises(QueryError, match=message):
         load(tiers_path, **arguments)  # type: ignore[arg-type]
 
 
-def test_a_broken_package_is_refused(tiers_path: Path, tmp_path: Path) -> None:
+def test_a_broken_package_is_refused(tiers_path, tmp_path):
     broken = tmp_path / "broken.rna"
     broken.write_bytes(tiers_path.read_bytes()[:-100])
     with pytest.raises(PackageError):
         load(broken)
 
 
-def test_threads_are_the_cores_of_the_process_by_default(tiers_path: Path) -> None:
+def test_threads_are_the_cores_of_the_process_by_default(tiers_path):
     assert load(tiers_path).threads == len(os.sched_getaffinity(0))
     assert load(tiers_path, threads=3).threads == 3
 
 
 @pytest.mark.parametrize("path", [None, 3, ["toy.rna"]])
-def test_a_path_that_is_none_is_said(path: Any) -> None:
+def test_a_path_that_is_none_is_said(path):
     message = f"^path: expected the name of a package, found {type(path).__name__}$"
     with pytest.raises(QueryError, match=message):
         load(path)
 
 
-def test_the_rest_shape_cannot_be_written(asset_path: Callable[..., Path]) -> None:
+def test_the_rest_shape_cannot_be_written(asset_path):
     for kind in ("surface", "fiber"):
         asset = load(asset_path(kind=kind))
         geometry = asset.mesh if kind == "surface" else asset.curves
@@ -155,14 +146,14 @@ def test_the_rest_shape_cannot_be_written(asset_path: Callable[..., Path]) -> No
                 array[...] = 0
 
 
-def test_geometry_and_bounds_come_with_the_asset(tiers_path: Path) -> None:
+def test_geometry_and_bounds_come_with_the_asset(tiers_path):
     asset = load(tiers_path)
     assert asset.bounds.dtype == np.float32
     assert asset.bounds.tolist() == [[-1, -1, -1], [1, 1, 1]]
     np.testing.assert_array_equal(asset.mesh.positions, make_mesh().positions)
 
 
-def test_the_kind_of_the_package_decides_what_is_loaded(asset_path: Callable[..., Path]) -> None:
+def test_the_kind_of_the_package_decides_what_is_loaded(asset_path):
     surface, fiber = (load(asset_path(kind=kind)) for kind in ("surface", "fiber"))
     assert isinstance(surface, SurfaceAsset) and isinstance(fiber, FiberAsset)
     assert (surface.kind, fiber.kind) == ("surface", "fiber")
@@ -174,7 +165,7 @@ def test_the_kind_of_the_package_decides_what_is_loaded(asset_path: Callable[...
 
 
 @pytest.mark.parametrize("precision", ["int8", "float16", "float32"])
-def test_planes_stay_in_the_file(asset_path: Callable[..., Path], precision: str) -> None:
+def test_planes_stay_in_the_file(asset_path, precision):
     """The kernel reads the mapped bytes: what it works on is a view, not a copy."""
     package = Package.open(asset_path(plane_precision=precision))
     views: list[np.ndarray] = []
@@ -211,9 +202,7 @@ PACKAGE_ALONE = (*ENGINES, "rna_sdk.runtime")
         ("import rna_sdk.runtime as r; r.load(path)", ()),
     ],
 )
-def test_nothing_is_loaded_before_it_is_used(
-    tiers_path: Path, code: str, unused: tuple[str, ...]
-) -> None:
+def test_nothing_is_loaded_before_it_is_used(tiers_path, code, unused):
     actual = f"sys.exit(str([m for m in {TRAINER_OR_RENDERER + unused} if m in sys.modules]))"
     program = f"import sys; path = sys.argv[1]; {code}; {actual}"
     done = subprocess.run(

@@ -1,7 +1,5 @@
 """Lobes of a whole environment: as by hand, and safe for any input."""
 
-from pathlib import Path
-
 import numpy as np
 import onnxruntime as ort
 import pytest
@@ -25,14 +23,14 @@ Part = SurfaceAsset | FiberAsset
 
 
 @pytest.fixture(scope="module")
-def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def path(tmp_path_factory):
     """A surface and fibers, both with lobes and visibility."""
     folder = tmp_path_factory.mktemp("lobes")
     return with_lobes(make_lantern(folder / "lantern.rna"), folder / "lobes.rna", 0, 1)
 
 
 @pytest.fixture(scope="module", params=[0, 1], ids=["surface", "fiber"])
-def part(path: Path, request: pytest.FixtureRequest) -> Part:
+def part(path, request):
     return load(path, threads=2).parts[request.param]
 
 
@@ -46,7 +44,7 @@ def arguments(part: Part, n: int) -> tuple[np.ndarray, ...]:
     return *at, free, part.visibility_at(primitives, u, v)
 
 
-def test_lobes_are_those_of_the_package_evaluated_by_hand(part: Part, path: Path) -> None:
+def test_lobes_are_those_of_the_package_evaluated_by_hand(part, path):
     *at, free, visibility = arguments(part, 3000)
     amplitudes, axes = part.lobes(*at, free, visibility)
     assert amplitudes.shape == axes.shape == (3000, 4, 3) and axes.dtype == np.float32
@@ -69,7 +67,7 @@ def test_lobes_are_those_of_the_package_evaluated_by_hand(part: Part, path: Path
         np.testing.assert_allclose(actual, right, rtol=2e-4, atol=2e-4)
 
 
-def test_a_row_does_not_depend_on_the_batch(part: Part) -> None:
+def test_a_row_does_not_depend_on_the_batch(part):
     at = arguments(part, 600)
     together = part.lobes(*at)
     for k in (0, 17, 599):
@@ -79,7 +77,7 @@ def test_a_row_does_not_depend_on_the_batch(part: Part) -> None:
     assert part.lobes(*(array[:0] for array in at))[0].shape == (0, 4, 3)
 
 
-def test_rows_that_are_no_points_have_no_light(part: Part) -> None:
+def test_rows_that_are_no_points_have_no_light(part):
     at = arguments(part, 40)
     bad = {0: np.nan, 1: 0.0, len(at) - 3: 0.0, len(at) - 2: np.inf, len(at) - 1: np.nan}
     for row, (place, value) in enumerate(bad.items()):
@@ -90,7 +88,7 @@ def test_rows_that_are_no_points_have_no_light(part: Part) -> None:
     assert amplitudes[len(bad) :].any(axis=(1, 2)).mean() > 0.5
 
 
-def test_free_light_mixes_the_two_colours(part: Part) -> None:
+def test_free_light_mixes_the_two_colours(part):
     *at, free, visibility = arguments(part, 100)
     low, middle, high = (
         part.lobes(*at, np.full_like(free, v), visibility)[0] for v in (0.0, 0.25, 1.0)
@@ -100,7 +98,7 @@ def test_free_light_mixes_the_two_colours(part: Part) -> None:
     np.testing.assert_array_equal(beyond, high)
 
 
-def test_mirror_directions(part: Part) -> None:
+def test_mirror_directions(part):
     points = random_points(200)
     actual = part.mirror(points.normals, 3 * points.wo)
     np.testing.assert_allclose(
@@ -113,7 +111,7 @@ def test_mirror_directions(part: Part) -> None:
     assert not part.mirror(points.normals, points.wo)[:2].any()
 
 
-def test_visibility_is_interpolated_between_vertices(part: Part, path: Path) -> None:
+def test_visibility_is_interpolated_between_vertices(part, path):
     with Package.open(path) as package:
         harmonics = package.environment(0 if part.kind == "surface" else 1).harmonics
     u, v = np.float32([0.25, 0.5, 0.0]), np.float32([0.5, 0.25, 0.0])
@@ -131,7 +129,7 @@ def test_visibility_is_interpolated_between_vertices(part: Part, path: Path) -> 
         part.visibility_at(primitives, u[:2], v)
 
 
-def test_a_part_without_lobes(path: Path, tmp_path: Path) -> None:
+def test_a_part_without_lobes(path, tmp_path):
     lantern = make_lantern(tmp_path / "plain.rna")
     body, tuft = load(with_lobes(lantern, tmp_path / "x.rna", 1, visibility=False)).parts
     assert body.environment_form is None and tuft.environment_form.lobes == 4
@@ -145,7 +143,7 @@ def test_a_part_without_lobes(path: Path, tmp_path: Path) -> None:
         body.lobes(*at, none, np.empty((3, 0), np.float32))
 
 
-def test_a_wrong_argument_is_named(part: Part) -> None:
+def test_a_wrong_argument_is_named(part):
     at = arguments(part, 5)
     names = ["positions", part._labels["axis"], "h", "wo", "free", "visibility"]
     names.remove("h") if part.kind == "surface" else None
@@ -156,7 +154,7 @@ def test_a_wrong_argument_is_named(part: Part) -> None:
                 part.lobes(*changed)
 
 
-def test_lobes_are_for_the_full_geometry(path: Path, tmp_path: Path) -> None:
+def test_lobes_are_for_the_full_geometry(path, tmp_path):
     unpacked, out = Unpacked.read(path), tmp_path / "x.rna"
     with Package.open(path) as package:
         curves = package.curves(1)
@@ -166,7 +164,7 @@ def test_lobes_are_for_the_full_geometry(path: Path, tmp_path: Path) -> None:
     assert near.environment_form is not None and far.environment_form is None
 
 
-def test_radiance_under_a_wide_light_is_the_integral() -> None:
+def test_radiance_under_a_wide_light_is_the_integral():
     """The closed form of the specification, against a sum over directions."""
     rng = np.random.default_rng(1)
     amplitudes, axes = rng.uniform(0, 1, (5, 4, 3)), rng.normal(0, 4, (5, 4, 3))

@@ -8,7 +8,7 @@ from rna_sdk.runtime import offset_across
 from tests.runtime.points import random_points, unit_vectors
 
 
-def test_it_counts_to_the_right_of_a_fiber_that_points_up() -> None:
+def test_it_counts_to_the_right_of_a_fiber_that_points_up():
     """+Y is up, the eye is at +Z and higher or lower: +X is to the right."""
     angle = np.linspace(-np.pi / 2, np.pi / 2, 101)
     normals = np.stack([np.sin(angle), 0 * angle, np.cos(angle)], axis=1).astype(np.float32)
@@ -21,7 +21,7 @@ def test_it_counts_to_the_right_of_a_fiber_that_points_up() -> None:
         np.testing.assert_allclose(offset_across(normals, -t, wo), -h, atol=1e-7)
 
 
-def test_length_of_vectors_does_not_count() -> None:
+def test_length_of_vectors_does_not_count():
     points = random_points(200)
     h = offset_across(points.normals, points.wo, points.wi)
     assert np.abs(h).max() > 0.9
@@ -29,7 +29,7 @@ def test_length_of_vectors_does_not_count() -> None:
     np.testing.assert_array_equal(scaled, h)
 
 
-def test_it_stays_within_the_fiber() -> None:
+def test_it_stays_within_the_fiber():
     n, t, wo = (unit_vectors(np.random.default_rng(k), 5000) for k in range(3))
     edge = np.cross(t, wo).astype(np.float32)
     h = offset_across(edge, t, wo)
@@ -37,7 +37,7 @@ def test_it_stays_within_the_fiber() -> None:
     assert (np.abs(offset_across(n, t, wo)) <= 1).all()
 
 
-def test_where_there_is_no_telling_it_is_zero() -> None:
+def test_where_there_is_no_telling_it_is_zero():
     n, t, wo = (unit_vectors(np.random.default_rng(k), 6) for k in range(3))
     assert offset_across(n, t, wo).all()
     wo[0], wo[1] = t[0], -3 * t[1]
@@ -46,7 +46,7 @@ def test_where_there_is_no_telling_it_is_zero() -> None:
     assert not offset_across(n, t, wo).any()
 
 
-def test_arguments_are_checked() -> None:
+def test_arguments_are_checked():
     n, t, wo = (unit_vectors(np.random.default_rng(k), 6) for k in range(3))
     with pytest.raises(QueryError, match=r"^tangents: expected a \(6, 3\) .* found \(5, 3\)"):
         offset_across(n, t[:5], wo)

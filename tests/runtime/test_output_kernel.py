@@ -5,7 +5,7 @@ import numpy as np
 from rna_sdk.runtime.kernels.output_kernel import write_results
 
 
-def test_any_decoder_output_becomes_finite_and_non_negative() -> None:
+def test_any_decoder_output_becomes_finite_and_non_negative():
     largest = np.finfo(np.float32).max
     transport = np.float32(
         [

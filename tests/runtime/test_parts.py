@@ -1,7 +1,6 @@
 """Assets of several parts, and what they emit: as by hand, and safe for any input."""
 
 from dataclasses import fields
-from pathlib import Path
 
 import numpy as np
 import onnxruntime as ort
@@ -17,11 +16,11 @@ from tests.runtime.points import random_fiber_points, random_points
 
 
 @pytest.fixture(scope="module")
-def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def path(tmp_path_factory):
     return make_lantern(tmp_path_factory.mktemp("lantern") / "lantern.rna")
 
 
-def test_parts_are_assets_of_their_kind(path: Path) -> None:
+def test_parts_are_assets_of_their_kind(path):
     asset = load(path, "hq", threads=2)
     assert isinstance(asset, CompositeAsset) and not hasattr(asset, "evaluate")
     assert (asset.name, asset.tier.name, asset.threads) == ("lantern", "hq", 2)
@@ -37,7 +36,7 @@ def test_parts_are_assets_of_their_kind(path: Path) -> None:
     np.testing.assert_array_equal(tuft.curves.points, make_curves().points)
 
 
-def test_bounds_are_around_all_parts(tmp_path: Path, path: Path) -> None:
+def test_bounds_are_around_all_parts(tmp_path, path):
     manifest = Package.open(path).manifest
     box = manifest.parts[1].bounds.model_copy(update={"min": (-3.0, 0.0, 0.0)})
     moved = manifest.parts[1].model_copy(update={"bounds": box})
@@ -46,7 +45,7 @@ def test_bounds_are_around_all_parts(tmp_path: Path, path: Path) -> None:
     assert not asset.bounds.flags.writeable
 
 
-def test_an_asset_of_one_part_is_its_part(tmp_path: Path) -> None:
+def test_an_asset_of_one_part_is_its_part(tmp_path):
     asset = load(make_tiny_package(tmp_path / "x.rna"))
     assert asset.parts == (asset,) and not asset.emits
     assert asset.name == "tetrahedron" and asset.transmittance_records == ()
@@ -55,7 +54,7 @@ def test_an_asset_of_one_part_is_its_part(tmp_path: Path) -> None:
     assert dark.shape == (20, 3) and dark.dtype == np.float32 and not dark.any()
 
 
-def test_each_part_answers_with_its_own_tier_part(path: Path) -> None:
+def test_each_part_answers_with_its_own_tier_part(path):
     small, hq = load(path, "small").parts, load(path, "hq").parts
     for points, (one, other) in zip(
         (random_points(50), random_fiber_points(50)), zip(small, hq, strict=True), strict=True
@@ -65,7 +64,7 @@ def test_each_part_answers_with_its_own_tier_part(path: Path) -> None:
         assert not np.array_equal(answers[0], answers[1])
 
 
-def test_emission_is_that_of_the_package_evaluated_by_hand(path: Path) -> None:
+def test_emission_is_that_of_the_package_evaluated_by_hand(path):
     points = random_points(3000)
     body = load(path, threads=2).parts[0]
     with Package.open(path) as package:
@@ -86,7 +85,7 @@ def test_emission_is_that_of_the_package_evaluated_by_hand(path: Path) -> None:
     np.testing.assert_array_equal(alone, actual[:50])
 
 
-def test_emission_of_rows_that_are_no_points_is_0(path: Path) -> None:
+def test_emission_of_rows_that_are_no_points_is_0(path):
     body = load(path).parts[0]
     points = random_points(20)
     at = points.positions, points.normals, points.wo
@@ -98,7 +97,7 @@ def test_emission_of_rows_that_are_no_points_is_0(path: Path) -> None:
     assert body.emission(*(a[:0] for a in at)).shape == (0, 3)
 
 
-def test_a_wrong_argument_of_emission_is_named(path: Path) -> None:
+def test_a_wrong_argument_of_emission_is_named(path):
     body, tuft = load(path).parts
     points, strands = random_points(5), random_fiber_points(5)
     names = [field.name for field in fields(points)][:3]
@@ -112,7 +111,7 @@ def test_a_wrong_argument_of_emission_is_named(path: Path) -> None:
         tuft.emission(strands.positions, strands.tangents, strands.h[:4], strands.wo)
 
 
-def test_cost_of_several_parts_is_their_mean(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_cost_of_several_parts_is_their_mean(path, monkeypatch):
     asset = load(path)
     costs = dict(zip(asset.parts, (100.0, 300.0), strict=True))
     for cls in (SurfaceAsset, FiberAsset):

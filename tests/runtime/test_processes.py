@@ -4,7 +4,6 @@ import os
 import subprocess
 import sys
 import threading
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -98,7 +97,7 @@ def call():
 """
 
 
-def test_all_ways_to_start_processes_give_the_parents_bits(tmp_path: Path) -> None:
+def test_all_ways_to_start_processes_give_the_parents_bits(tmp_path):
     """Code is on disk from the parent's call on; with fork the asset is the parent's own."""
     program = tmp_path / "started.py"
     program.write_text(STARTED)
@@ -111,7 +110,7 @@ def test_all_ways_to_start_processes_give_the_parents_bits(tmp_path: Path) -> No
     [(KERNELS.format(path=str(TOY)), 40), (SESSION, 150), (COMPILER, 5)],
     ids=["kernels", "onnxruntime", "compiler"],
 )
-def test_a_fork_at_any_moment_does_not_hang(before: str, count: int) -> None:
+def test_a_fork_at_any_moment_does_not_hang(before, count):
     program = FORKS.format(before=before, count=count)
     command = [sys.executable, "-W", "ignore", "-c", program, str(REPOSITORY)]
     done = subprocess.run(command, timeout=600, capture_output=True, text=True)
@@ -126,9 +125,7 @@ def _double(numbers: np.ndarray, results: np.ndarray) -> None:
 
 @pytest.mark.parametrize("threads", [1, 2])
 @pytest.mark.parametrize("count", [0, 1, 1024, 1025, 100_003])
-def test_threads_share_every_row_once(
-    threads: int, count: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_threads_share_every_row_once(threads, count, monkeypatch):
     monkeypatch.setattr(module, "most_threads", lambda: 2)
     numbers, results = np.arange(count), np.full(count, -1)
     with at_most(threads):
@@ -141,13 +138,13 @@ class Rays(NamedTuple):
     origins: np.ndarray
 
 
-def test_arrays_for_all_rows_and_named_tuples_are_cut_as_they_should() -> None:
+def test_arrays_for_all_rows_and_named_tuples_are_cut_as_they_should():
     rays = Rays(np.arange(1), np.arange(6))
     cut = compiled_module._cut(rays, slice(2, 4), 6)
     assert [len(array) for array in cut] == [1, 2] and type(cut) is Rays
 
 
-def test_no_more_threads_take_part_than_the_caller_may(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_no_more_threads_take_part_than_the_caller_may(monkeypatch):
     monkeypatch.setattr(module, "most_threads", lambda: 3)
     seen: list[int] = []
 
@@ -167,7 +164,7 @@ def test_no_more_threads_take_part_than_the_caller_may(monkeypatch: pytest.Monke
         assert kernel_threads() == 3
 
 
-def test_an_error_of_a_thread_is_raised_and_no_piece_is_begun_after_it() -> None:
+def test_an_error_of_a_thread_is_raised_and_no_piece_is_begun_after_it():
     begun: list[int] = []
 
     def run(starts) -> None:
@@ -181,7 +178,7 @@ def test_an_error_of_a_thread_is_raised_and_no_piece_is_begun_after_it() -> None
 
 
 @forks
-def test_a_forked_process_may_not_use_a_gpu_of_the_one_before() -> None:
+def test_a_forked_process_may_not_use_a_gpu_of_the_one_before():
     pytest.importorskip("wgpu")
     from rna_gpu import device
     from rna_sdk.errors import GpuError

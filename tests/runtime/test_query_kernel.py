@@ -18,7 +18,7 @@ SURFACE_BLOCKS = tuple(blocks_for("surface"))
 
 @pytest.mark.parametrize("precision", ["int8", "float16", "float32"])
 @pytest.mark.parametrize(("resolution", "channels"), [(16, 8), (1, 4), (2, 1), (7, 5), (32, 33)])
-def test_equals_its_twin(precision: str, resolution: int, channels: int) -> None:
+def test_equals_its_twin(precision, resolution, channels):
     planes = make_planes(resolution, channels, precision)
     points = random_points(1000, reach=2.5)
     queries, valid = filled(planes, points, INPUTS)
@@ -40,7 +40,7 @@ def test_equals_its_twin(precision: str, resolution: int, channels: int) -> None
         ("wi", "features", "wo"),
     ],
 )
-def test_blocks_stand_in_the_order_of_the_tier(inputs: tuple[str, ...]) -> None:
+def test_blocks_stand_in_the_order_of_the_tier(inputs):
     planes = make_planes(8, 4)
     points = random_points(200)
     queries, _ = filled(planes, points, inputs)
@@ -49,13 +49,13 @@ def test_blocks_stand_in_the_order_of_the_tier(inputs: tuple[str, ...]) -> None:
     )
 
 
-def test_columns_of_blocks_that_are_not_there_are_negative() -> None:
+def test_columns_of_blocks_that_are_not_there_are_negative():
     columns = dict(zip(INPUT_BLOCKS, block_columns(("wi", "h", "features"), 8), strict=True))
     assert {name: at for name, at in columns.items() if at >= 0} == {"wi": 0, "h": 3, "features": 4}
     assert set(columns.values()) == {-1, 0, 3, 4}
 
 
-def test_planes_are_xy_yz_zx_with_u_along_rows() -> None:
+def test_planes_are_xy_yz_zx_with_u_along_rows():
     planes = np.zeros((3, 4, 4, 1), np.float32)
     planes[0, 1, 3], planes[1, 2, 1], planes[2, 3, 2] = 1, 10, 100
     # x in column 3 of 4, y in 1, z in 2: texel centres, so nothing is interpolated.
@@ -66,7 +66,7 @@ def test_planes_are_xy_yz_zx_with_u_along_rows() -> None:
     np.testing.assert_allclose(queries, [[111]], rtol=1e-4)
 
 
-def test_blocks_of_opposite_directions_are_in_the_middle_of_those_nearby() -> None:
+def test_blocks_of_opposite_directions_are_in_the_middle_of_those_nearby():
     """Half vectors around one pair of opposite directions turn once around them."""
     inputs, planes = ("half_vector", "highlight", "learned_normal"), make_planes(8, 4)
     points = random_points(64)[np.zeros(64, np.int64)]
@@ -86,7 +86,7 @@ def test_blocks_of_opposite_directions_are_in_the_middle_of_those_nearby() -> No
     assert nearby[:, 7].min() < exactly[0, 7] < nearby[:, 7].max()
 
 
-def test_features_lean_the_learned_normal() -> None:
+def test_features_lean_the_learned_normal():
     """A feature of 1 moves the normal's end by a tenth along its axis; one of -10 undoes it."""
     point = Points(*np.float32([[[0, 0, 0.5]], [[0, 0, 1]], [[0, 0, 1]], [[0, 0, 1]]]))
     for features, cosine in (
@@ -102,7 +102,7 @@ def test_features_lean_the_learned_normal() -> None:
         np.testing.assert_allclose(queries, [[cosine, gap]], rtol=1e-5)
 
 
-def test_highlights_are_resolved() -> None:
+def test_highlights_are_resolved():
     """1 - n.h keeps its digits where n.h is nearly 1, which float32 dot products would lose."""
     points = random_points(500)
     n = points.normals
@@ -117,7 +117,7 @@ def test_highlights_are_resolved() -> None:
     np.testing.assert_allclose(queries[:, 5], expected[:, 5], atol=6e-5)
 
 
-def test_length_of_directions_does_not_count() -> None:
+def test_length_of_directions_does_not_count():
     planes = make_planes(8, 4)
     points = random_points(100)
     scaled = Points(

@@ -34,13 +34,13 @@ def column(*weights: int) -> np.ndarray:
         ((-128, -1), True),
     ],
 )
-def test_a_pair_of_one_sign_may_add_up_to_the_limit(pair: tuple[int, int], saturates: bool) -> None:
+def test_a_pair_of_one_sign_may_add_up_to_the_limit(pair, saturates):
     assert can_saturate(column(*pair)) == saturates
     products = [q0 * pair[0] + q1 * pair[1] for q0, q1 in itertools.product((0, 255), repeat=2)]
     assert (min(products) < -(2**15) or max(products) >= 2**15) == saturates
 
 
-def test_pairs_are_rows_2k_and_2k_plus_1_of_one_output() -> None:
+def test_pairs_are_rows_2k_and_2k_plus_1_of_one_output():
     assert not can_saturate(column(0, 100, 100, 0))
     assert not can_saturate(np.array([[100, 0], [0, 100]], np.int8))
     np.testing.assert_array_equal(pair_sums(column(100, 20, -90)), [[120], [90]])
@@ -55,7 +55,7 @@ def with_weights(decoder: ProfileDecoder, low: int, high: int) -> ProfileDecoder
 
 @pytest.mark.parametrize(("low", "high"), [(-64, 64), (-127, 127), (-128, 127)])
 @pytest.mark.parametrize(("width", "columns"), [(16, 22), (64, 24), (130, 33), (264, 22)])
-def test_sums_are_exact(low: int, high: int, width: int, columns: int) -> None:
+def test_sums_are_exact(low, high, width, columns):
     """Queries at both ends of their range make the largest products of all."""
     model = with_weights(random_int8_decoder(columns, width, 2), low, high)
     queries = np.random.default_rng(1).choice(np.float32([-9, 9]), (1001, columns))
@@ -68,7 +68,7 @@ def test_sums_are_exact(low: int, high: int, width: int, columns: int) -> None:
     assert len(np.unique(expected)) > 100
 
 
-def test_weights_that_cannot_saturate_stay_int8() -> None:
+def test_weights_that_cannot_saturate_stay_int8():
     for limit, dtype in ((PAIR_LIMIT // 2, np.int8), (127, np.uint8)):
         decoder = with_weights(random_int8_decoder(22, 64, 2), -limit, limit)
         fused = onnx.load_from_string(int8_graph(decoder, 24))

@@ -1,7 +1,6 @@
 """Tiers by the error that an asset may have at its size in the image."""
 
 import math
-from pathlib import Path
 
 import pytest
 
@@ -17,7 +16,7 @@ RAW = make_measured_tier("raw", None, 1)
 
 
 @pytest.fixture(scope="module")
-def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def path(tmp_path_factory):
     return make_tiny_package(tmp_path_factory.mktemp("tiers") / "a.rna", HQ, SMALL, PLAIN, RAW)
 
 
@@ -35,13 +34,11 @@ def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
         (math.inf, 0.04),
     ],
 )
-def test_between_recorded_heights_the_error_follows_the_logarithm(
-    pixels: float | None, error: float
-) -> None:
+def test_between_recorded_heights_the_error_follows_the_logarithm(pixels, error):
     assert expected_error(SMALL, pixels) == pytest.approx(error)
 
 
-def test_without_heights_the_error_is_that_of_whole_images() -> None:
+def test_without_heights_the_error_is_that_of_whole_images():
     assert expected_error(PLAIN, 20) == expected_error(PLAIN) == 0.05
     assert expected_error(RAW, 20) == math.inf
 
@@ -57,9 +54,7 @@ def test_without_heights_the_error_is_that_of_whole_images() -> None:
         (0.05, None, "plain"),
     ],
 )
-def test_a_small_asset_gets_a_cheaper_tier(
-    path: Path, max_error: float, pixels: float | None, name: str
-) -> None:
+def test_a_small_asset_gets_a_cheaper_tier(path, max_error, pixels, name):
     assert load(path, max_error=max_error, pixels=pixels).tier.name == name
 
 
@@ -80,8 +75,6 @@ def test_a_small_asset_gets_a_cheaper_tier(
         ({"max_error": 0.1, "name": "hq"}, "give only one"),
     ],
 )
-def test_what_cannot_be_chosen_is_said(
-    path: Path, arguments: dict[str, object], message: str
-) -> None:
+def test_what_cannot_be_chosen_is_said(path, arguments, message):
     with Package.open(path) as package, pytest.raises(QueryError, match=message):
         choose_tier(package, **arguments)  # type: ignore[arg-type]

@@ -18,7 +18,7 @@ def turned(scale: float = 1.0, seed: int = 0) -> np.ndarray:
 
 
 @pytest.mark.parametrize("scale", [1e-3, 1.0, 50.0])
-def test_there_and_back(scale: float) -> None:
+def test_there_and_back(scale):
     transform = Transform(turned(scale))
     points = random_points(500)
     world = transform.to_world_points(points.positions)
@@ -32,7 +32,7 @@ def test_there_and_back(scale: float) -> None:
         np.testing.assert_allclose(back(there(points.wi)), points.wi, atol=3e-7)
 
 
-def test_points_follow_the_matrix_and_directions_its_rotation() -> None:
+def test_points_follow_the_matrix_and_directions_its_rotation():
     matrix = turned(3.0)
     transform = Transform(matrix)
     assert transform.scale == pytest.approx(3.0)
@@ -46,7 +46,7 @@ def test_points_follow_the_matrix_and_directions_its_rotation() -> None:
     np.testing.assert_allclose(np.linalg.norm(actual, axis=1), 1, atol=3e-7)
 
 
-def test_normals_stay_normal_to_their_surface() -> None:
+def test_normals_stay_normal_to_their_surface():
     transform = Transform(turned(0.2, seed=4))
     n = unit_vectors(np.random.default_rng(0), 100)
     tangents = np.cross(n, unit_vectors(np.random.default_rng(1), 100)).astype(np.float32)
@@ -56,7 +56,7 @@ def test_normals_stay_normal_to_their_surface() -> None:
     np.testing.assert_allclose(np.sum(n_world * tangents_world, axis=1), 0, atol=1e-4)
 
 
-def test_a_row_does_not_depend_on_the_others() -> None:
+def test_a_row_does_not_depend_on_the_others():
     transform = Transform(turned(2.0))
     points = random_points(1001).positions
     expected = transform.to_object_points(points)
@@ -85,11 +85,11 @@ def changed(row: int, column: int, value: float) -> np.ndarray:
         ([[1, 2], [3]], "matrix of numbers"),
     ],
 )
-def test_any_other_matrix_is_refused(matrix: object, message: str) -> None:
+def test_any_other_matrix_is_refused(matrix, message):
     with pytest.raises(QueryError, match=message):
         Transform(matrix)  # type: ignore[arg-type]
 
 
-def test_wrong_arrays_are_refused() -> None:
+def test_wrong_arrays_are_refused():
     with pytest.raises(QueryError, match=r"expected a \(n, 3\) float32 array"):
         Transform(np.eye(4)).to_world_points(np.zeros((4, 3)))  # type: ignore[arg-type]

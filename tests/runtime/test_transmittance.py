@@ -46,28 +46,28 @@ def record(texture: np.ndarray = TEXELS, **changes: Any) -> Transmittance:
         (0.0, 1.0, 0.4),
     ],
 )
-def test_lookup_is_bilinear_and_repeats(x: float, z: float, expected: float) -> None:
+def test_lookup_is_bilinear_and_repeats(x, z, expected):
     np.testing.assert_allclose(tau(record(), x, z), expected, atol=1e-6)
 
 
-def test_cutoff_makes_a_sharp_outline() -> None:
+def test_cutoff_makes_a_sharp_outline():
     for x, expected in ((0.40, 0), (0.42, 1)):  # 0.4 + 0.6 (2 x - 0.5) passes 0.6 at x = 5/12
         assert tau(record(cutoff=0.6), x, 0.75).tolist() == [expected] * 3
     at_the_cutoff = record(np.uint8([[[255]]]) // 5, cutoff=0.2)
     assert not tau(at_the_cutoff, 0.1, 0.2).any()  # more than it, not as much
 
 
-def test_channels_are_the_texture_s() -> None:
+def test_channels_are_the_texture_s():
     actual = tau(record(np.uint8([[[255, 51, 0]]])), 0.3, 0.6)
     np.testing.assert_allclose(actual, [1, 0.2, 0], atol=1e-7)
 
 
-def test_one_texel_needs_no_coordinates() -> None:
+def test_one_texel_needs_no_coordinates():
     actual = tau(record(np.uint8([[[102]]])), 0.3, 0.6, mesh=sheet(uvs=False))
     np.testing.assert_allclose(actual, 0.4, atol=1e-7)
 
 
-def test_triangles_of_no_record_are_opaque() -> None:
+def test_triangles_of_no_record_are_opaque():
     one = np.uint8([[[255]]])
     half, both = np.float32([0.25] * 2), np.array([0, 1])
     d = np.float32([DOWN, DOWN])
@@ -80,7 +80,7 @@ def test_triangles_of_no_record_are_opaque() -> None:
     )
 
 
-def test_fresnel_takes_its_share_from_either_side() -> None:
+def test_fresnel_takes_its_share_from_either_side():
     clear = record(np.uint8([[[255]]]), ior=(1.5, 1 / 1.5))
     up = -DOWN
     assert tau(clear, 0.2, 0.6)[0] == pytest.approx(0.96)  # ((n - 1) / (n + 1))^2 = 0.04
@@ -91,7 +91,7 @@ def test_fresnel_takes_its_share_from_either_side() -> None:
 
 
 @pytest.mark.parametrize("eta", [1.33, 1.5, 0.7])
-def test_fresnel_is_that_of_the_two_polarisations(eta: float) -> None:
+def test_fresnel_is_that_of_the_two_polarisations(eta):
     angle = np.linspace(0, 1.5, 40)
     sine = np.sin(angle) / eta
     c, total = np.cos(angle), sine >= 1

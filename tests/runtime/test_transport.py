@@ -33,7 +33,7 @@ def arguments(kind: str) -> list[np.ndarray]:
 @pytest.mark.parametrize("kind", ["surface", "fiber"])
 @pytest.mark.parametrize("apart", [False, True])
 @pytest.mark.parametrize("form", ["bool", "share", "colour"])
-def test_transport_blends_by_visibility(tmp_path: Path, kind: str, apart: bool, form: str) -> None:
+def test_transport_blends_by_visibility(tmp_path, kind, apart, form):
     asset, rows = load(package(tmp_path, apart, kind)), arguments(kind)
     rng = np.random.default_rng(1)
     v = rng.choice(np.float32([0, 0.25, 1]), (ROWS, 3))
@@ -47,7 +47,7 @@ def test_transport_blends_by_visibility(tmp_path: Path, kind: str, apart: bool, 
 
 @pytest.mark.parametrize("apart", [False, True])
 @pytest.mark.parametrize("columns", [1, 3])
-def test_any_visibility_gives_transport(tmp_path: Path, apart: bool, columns: int) -> None:
+def test_any_visibility_gives_transport(tmp_path, apart, columns):
     """spec/RNA.md, 8.1: values outside [0, 1] are clamped; values that are not finite are 0."""
     asset, rows = load(package(tmp_path, apart, "surface")), arguments("surface")
     odd = np.float32([0.3, -1, 2, -1e30, 1e30, np.nan, np.inf, -np.inf])
@@ -61,7 +61,7 @@ def test_any_visibility_gives_transport(tmp_path: Path, apart: bool, columns: in
     assert known.any() and not known.all()
 
 
-def test_no_visibility_is_refused(tmp_path: Path) -> None:
+def test_no_visibility_is_refused(tmp_path):
     asset, rows = load(package(tmp_path, True)), arguments("surface")
     for wrong in (None, np.ones(ROWS - 1, bool), np.ones((ROWS, 2), np.float32), np.ones(ROWS)):
         with pytest.raises(QueryError, match="visibility"):

@@ -5,14 +5,13 @@ import pytest
 
 from rna_bench.stability.cases import grazing, sharp, unseen
 from rna_bench.stability.view_errors import joined_views
-from rna_export.capture.dataset.dataset_folder import Dataset
 from tests.exporters.synthetic import make_dataset, transport
 
 Queries = dict[str, np.ndarray]
 
 
 @pytest.fixture(scope="module")
-def dataset(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
+def dataset(tmp_path_factory):
     return make_dataset(tmp_path_factory.mktemp("ball"), views=6)
 
 
@@ -31,7 +30,7 @@ def wrong_at_grazing(queries: Queries) -> tuple[np.ndarray, np.ndarray]:
 
 
 @pytest.mark.parametrize(("answers", "passes"), [(slightly_off, True), (wrong_at_grazing, False)])
-def test_grazing(dataset: Dataset, answers, passes: bool) -> None:
+def test_grazing(dataset, answers, passes):
     rows = grazing.binned(answers, *joined_views(dataset.validation_views()))
     verdict = grazing.judge([{"model": "package", **row} for row in rows])
     assert verdict.passed == passes
@@ -39,14 +38,14 @@ def test_grazing(dataset: Dataset, answers, passes: bool) -> None:
     assert near and all(row["error"] == pytest.approx(0.02, rel=0.6) for row in near if passes)
 
 
-def test_visibility_may_have_a_colour(dataset: Dataset) -> None:
+def test_visibility_may_have_a_colour(dataset):
     samples, halves = joined_views(dataset.validation_views())
     coloured = {**samples, "visible": np.repeat(np.float32(samples["visible"])[:, None], 3, axis=1)}
     rows, of_colours = (grazing.binned(slightly_off, s, halves) for s in (samples, coloured))
     assert rows and of_colours == rows
 
 
-def test_unseen_directions_are_judged_by_bounds(dataset: Dataset) -> None:
+def test_unseen_directions_are_judged_by_bounds(dataset):
     samples, halves = joined_views(dataset.validation_views())
     largest = float(samples["radiance"].max())
 
@@ -71,7 +70,7 @@ def test_unseen_directions_are_judged_by_bounds(dataset: Dataset) -> None:
     assert not unseen.judge(rows_of(not_a_number)).passed
 
 
-def test_only_samples_of_the_upper_half_are_trained(dataset: Dataset) -> None:
+def test_only_samples_of_the_upper_half_are_trained(dataset):
     upper = unseen.upper_half(dataset.training_samples())
     assert 0 < len(upper["visible"]) < len(dataset.training_samples()["visible"])
     assert upper["wo"][:, 1].min() >= 0.0 and upper["wi"][:, 1].min() >= 0.0
@@ -82,7 +81,7 @@ def lobe(half: np.ndarray, width_deg: float, peak: float) -> np.ndarray:
     return np.repeat(gauss[:, None], 3, axis=1)
 
 
-def test_a_lobe_has_its_peak_and_width() -> None:
+def test_a_lobe_has_its_peak_and_width():
     half = np.radians(np.linspace(-20.0, 20.0, 4001))
     shape = sharp.lobe_shape(half, 0.1 + lobe(half, 2.5, 7.0), "")
     assert shape["width_deg"] == pytest.approx(2.5, rel=1e-3)
@@ -98,9 +97,7 @@ def test_a_lobe_has_its_peak_and_width() -> None:
         (1.0, 5.0, 0.96, False),
     ],
 )
-def test_a_wide_dim_or_cut_highlight_fails(
-    width: float, peak: float, albedo: float, passes: bool
-) -> None:
+def test_a_wide_dim_or_cut_highlight_fails(width, peak, albedo, passes):
     half = np.radians(np.linspace(-20.0, 20.0, 4001))
     row = {
         "material": "coat",
@@ -114,7 +111,7 @@ def test_a_wide_dim_or_cut_highlight_fails(
     assert sharp.judge([row]).passed == passes
 
 
-def test_a_model_that_cuts_its_highlights_returns_less(dataset: Dataset) -> None:
+def test_a_model_that_cuts_its_highlights_returns_less(dataset):
     def cut(queries: Queries) -> tuple[np.ndarray, np.ndarray]:
         return tuple(np.minimum(values, 0.2) for values in exact(queries))
 
@@ -123,7 +120,7 @@ def test_a_model_that_cuts_its_highlights_returns_less(dataset: Dataset) -> None
     assert less["albedo"] < 0.97
 
 
-def test_error_in_the_highlight_is_told_apart(dataset: Dataset) -> None:
+def test_error_in_the_highlight_is_told_apart(dataset):
     samples = dataset.training_samples()
     h = samples["wi"] + samples["wo"]
     h /= np.linalg.norm(h, axis=1, keepdims=True)

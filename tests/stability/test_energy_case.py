@@ -10,7 +10,7 @@ from tests.render.assets import LambertAsset, sphere
 
 
 @pytest.mark.parametrize(("albedo", "passes"), [(1.0, True), (1.03, False)])
-def test_the_integral_of_a_diffuse_ball_is_its_albedo(albedo: float, passes: bool) -> None:
+def test_the_integral_of_a_diffuse_ball_is_its_albedo(albedo, passes):
     asset = LambertAsset(sphere(3), albedo=(albedo, 0.5, 0.2))
     scene = AssetScene([asset.mesh])
     rows = energy.furnace(of_package(asset), scene, 100)
@@ -23,12 +23,12 @@ def test_the_integral_of_a_diffuse_ball_is_its_albedo(albedo: float, passes: boo
 
 
 @pytest.mark.parametrize(("albedo", "passes"), [(0.98, True), (0.96, False), (0.33, False)])
-def test_light_that_is_missing_fails(albedo: float, passes: bool) -> None:
+def test_light_that_is_missing_fails(albedo, passes):
     verdict = energy.judge([{"asset": "ball", "albedo": albedo, "integral": 0.9}])
     assert verdict.passed == passes and f"{albedo:.1%} of Cycles'" in verdict.found
 
 
-def test_visibility_may_have_a_colour(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_visibility_may_have_a_colour(monkeypatch):
     asset = LambertAsset(sphere(3), albedo=(0.8, 0.5, 0.2))
     scene = AssetScene([asset.mesh])
     expected = energy.furnace(of_package(asset), scene, 20)

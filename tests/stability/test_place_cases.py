@@ -26,14 +26,14 @@ def flat_view(n_wi: float = 0.7) -> ValidationView:
     return ValidationView(0, SIZE, pixel, samples | {"visible": visible}, np.stack([radiance] * 2))
 
 
-def test_distance_to_an_edge_counts_pixels() -> None:
+def test_distance_to_an_edge_counts_pixels():
     distance = shadow_edges.signed_distance(flat_view())["cast shadow"].reshape(SIZE, SIZE)
     expected = np.zeros(SIZE, int)
     expected[4:12], expected[12:20] = np.arange(8, 0, -1), -np.arange(1, 9)
     np.testing.assert_array_equal(distance, np.tile(expected, (SIZE, 1)))
 
 
-def test_visibility_may_have_a_colour() -> None:
+def test_visibility_may_have_a_colour():
     view = flat_view()
     glass = np.float32([0.9, 0.8, 0.7]) * view.visible[:, None]
     through_glass = replace(view, samples={**view.samples, "visible": glass})
@@ -42,13 +42,13 @@ def test_visibility_may_have_a_colour() -> None:
     np.testing.assert_array_equal(actual, expected)
 
 
-def test_a_terminator_is_where_the_surface_turns_away() -> None:
+def test_a_terminator_is_where_the_surface_turns_away():
     distance = shadow_edges.signed_distance(flat_view(n_wi=0.05))
     assert not distance["cast shadow"].any() and distance["terminator"].any()
 
 
 @pytest.mark.parametrize(("smear", "passes"), [(0.0, True), (0.05, False)])
-def test_a_smeared_edge_fails(smear: float, passes: bool) -> None:
+def test_a_smeared_edge_fails(smear, passes):
     view = flat_view()
 
     def answers(queries: dict) -> tuple[np.ndarray, np.ndarray]:
@@ -61,7 +61,7 @@ def test_a_smeared_edge_fails(smear: float, passes: bool) -> None:
     assert verdict.passed == passes
 
 
-def test_both_sides_of_a_sheet_fold() -> None:
+def test_both_sides_of_a_sheet_fold():
     cells = thin.Cells(np.zeros(3), np.ones(3), 10)
     positions = np.float32([[0.51, 0.5, 0.5], [0.52, 0.5, 0.5], [0.1, 0.1, 0.1], [0.11, 0.1, 0.1]])
     normals = np.float32([[0, 0, 1], [0, 0, -1], [0, 0, 1], [0, 0.1, 1]])
@@ -70,7 +70,7 @@ def test_both_sides_of_a_sheet_fold() -> None:
     assert thin.opposed(number, normals).tolist() == [number[0]]
 
 
-def test_strands_fold_where_they_share_a_cell() -> None:
+def test_strands_fold_where_they_share_a_cell():
     points = np.float32([[0.1, 0, 0], [0.1, 0.4, 0], [0.13, 0, 0], [0.13, 0.4, 0], [0.9, 0, 0]])
     points = np.concatenate([points, np.float32([[0.9, 0.4, 0]])])
     curves = Curves(points, np.full(6, 0.01, np.float32), np.array([0, 2, 4, 6], np.uint32))
@@ -82,9 +82,7 @@ def test_strands_fold_where_they_share_a_cell() -> None:
 
 @pytest.mark.parametrize(("error", "passes"), [(0.13, True), (0.2, False)])
 @pytest.mark.parametrize("other", ["clear", "alone"])
-def test_thin_geometry_is_judged_by_what_folding_costs(
-    error: float, passes: bool, other: str
-) -> None:
+def test_thin_geometry_is_judged_by_what_folding_costs(error, passes, other):
     rows = [
         {"shape": "leaf", "where": where, "error": value}
         for where, value in ((other, 0.1), ("folded", error))
@@ -92,14 +90,14 @@ def test_thin_geometry_is_judged_by_what_folding_costs(
     assert thin.judge(rows).passed == passes
 
 
-def test_no_two_normals_that_face_up_are_opposed() -> None:
+def test_no_two_normals_that_face_up_are_opposed():
     normals = np.random.default_rng(0).normal(size=(400, 3))
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     up = normals[thin.facing_up({"normal": normals})]
     assert 20 < len(up) < 100 and (up @ up.T).min() > 0.0
 
 
-def test_a_zoomed_pixel_has_its_width() -> None:
+def test_a_zoomed_pixel_has_its_width():
     eye, target = np.array([0.0, 0.0, 2.0]), np.array([0.0, 0.0, 0.5])
     camera = zoom.zoomed(eye, target, 1e-3)
     n = zoom.PIXELS
@@ -112,15 +110,13 @@ def test_a_zoomed_pixel_has_its_width() -> None:
 @pytest.mark.parametrize(
     ("ours", "texture", "passes"), [(0.09, 0.0, True), (0.2, 0.14, True), (0.2, 0.12, False)]
 )
-def test_zoom_is_judged_at_the_finest_beside_a_texture(
-    ours: float, texture: float, passes: bool
-) -> None:
+def test_zoom_is_judged_at_the_finest_beside_a_texture(ours, texture, passes):
     rows = [{"texels": t, "flip": 0.5, "texture_flip": 0.0} for t in zoom.FOOTPRINTS[:-1]]
     rows.append({"texels": zoom.FOOTPRINTS[-1], "flip": ours, "texture_flip": texture})
     assert zoom.judge(rows).passed == passes
 
 
-def test_a_texture_has_one_value_a_texel() -> None:
+def test_a_texture_has_one_value_a_texel():
     image = np.random.default_rng(0).random((96, 96, 3), dtype=np.float32)
     assert zoom.as_texture(image, 1.0) is image
     shown = zoom.as_texture(image, 0.25)

@@ -2,7 +2,6 @@
 
 import json
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
@@ -32,11 +31,11 @@ def counting(measured: list[int]) -> Case:
     )
 
 
-def test_the_command_knows_every_case() -> None:
+def test_the_command_knows_every_case():
     assert tuple(case.name for case in CASES) == CASE_NAMES
 
 
-def test_a_finished_case_is_measured_once(tmp_path: Path) -> None:
+def test_a_finished_case_is_measured_once(tmp_path):
     measured: list[int] = []
     fixtures = Fixtures(tmp_path / "work", Subject(), 100, 1)
 
@@ -50,7 +49,7 @@ def test_a_finished_case_is_measured_once(tmp_path: Path) -> None:
         run(steps=7)
 
 
-def test_cases_say_why_they_are_left_out(tmp_path: Path) -> None:
+def test_cases_say_why_they_are_left_out(tmp_path):
     fixtures = Fixtures(tmp_path / "work", Subject(make_dataset(tmp_path / "ball")), 100, 1)
     lit = replace(counting([]), needs=("dataset", "source"))
     hair = replace(counting([]), kinds=("fiber",))
@@ -59,7 +58,7 @@ def test_cases_say_why_they_are_left_out(tmp_path: Path) -> None:
     assert table(results).count("| skipped |") == 2
 
 
-def test_a_tiny_run(tmp_path: Path) -> None:
+def test_a_tiny_run(tmp_path):
     dataset = make_dataset(tmp_path / "ball")
     out = tmp_path / "out"
     command = ["stability", str(dataset.folder), "--out", str(out), "--short", "--steps", "80"]
@@ -78,6 +77,6 @@ def test_a_tiny_run(tmp_path: Path) -> None:
     assert read_results(out / "2" / "results.json", CASES)[0] == stamp
 
 
-def test_a_missing_file_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_missing_file_is_one_line(tmp_path, capsys):
     assert main(["stability", "--package", "no.rna", "--out", str(tmp_path)]) == 1
     assert capsys.readouterr().err == "error: no.rna: no such file\n"

@@ -1,7 +1,5 @@
 """Cases about training data and chance."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -11,12 +9,12 @@ from tests.exporters.synthetic import LIGHTS_A_SHARD, RAYS, make_dataset
 
 
 @pytest.mark.parametrize(("spread", "passes"), [(0.29, True), (0.31, False)])
-def test_luck(spread: float, passes: bool) -> None:
+def test_luck(spread, passes):
     rows = [{"seed": k, "psnr": 30.0 + spread * k / 4} for k in range(5)]
     assert luck.judge(rows).passed == passes
 
 
-def test_bias_is_the_share_of_light_that_is_lost(tmp_path: Path) -> None:
+def test_bias_is_the_share_of_light_that_is_lost(tmp_path):
     views = make_dataset(tmp_path).validation_views()
     right = [view.samples["radiance"] for view in views]
     assert noise.row_of(right, views)["bias"] == pytest.approx(0.0, abs=1e-6)
@@ -25,7 +23,7 @@ def test_bias_is_the_share_of_light_that_is_lost(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("bias", "passes"), [(-0.01, True), (-0.05, False), (0.05, False)])
-def test_noise_is_judged_from_four_paths_on_by_the_chosen_loss(bias: float, passes: bool) -> None:
+def test_noise_is_judged_from_four_paths_on_by_the_chosen_loss(bias, passes):
     rows = [
         {"paths": paths, "loss": loss, "chosen": chosen, "bias": bias if chosen else -0.1}
         for paths in noise.PATHS
@@ -35,7 +33,7 @@ def test_noise_is_judged_from_four_paths_on_by_the_chosen_loss(bias: float, pass
     assert noise.judge(rows).passed == passes
 
 
-def test_lights_are_counted_and_chosen(tmp_path: Path) -> None:
+def test_lights_are_counted_and_chosen(tmp_path):
     dataset = make_dataset(tmp_path)
     light = light_numbers(dataset.training_samples())
     assert np.array_equal(np.unique(light, return_counts=True)[1], [RAYS] * 3 * LIGHTS_A_SHARD)
@@ -49,7 +47,7 @@ def test_lights_are_counted_and_chosen(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("psnr_of_few", "gap", "passes"), [(29.5, 0.5, True), (28.0, 0.5, False), (29.5, 2.0, False)]
 )
-def test_little_data(psnr_of_few: float, gap: float, passes: bool) -> None:
+def test_little_data(psnr_of_few, gap, passes):
     rows = [
         {"series": "lights", "lights": 1000, "points": 100, "psnr": psnr_of_few, "gap_db": 5.0},
         {"series": "lights", "lights": 3000, "points": 100, "psnr": 30.0, "gap_db": 5.0},
@@ -59,6 +57,6 @@ def test_little_data(psnr_of_few: float, gap: float, passes: bool) -> None:
 
 
 @pytest.mark.parametrize(("near", "passes"), [(31.0, True), (28.0, False)])
-def test_near_light(near: float, passes: bool) -> None:
+def test_near_light(near, passes):
     rows = [{"distance": d, "psnr": near if d < 1.0 else 33.0} for d in near_light.DISTANCES]
     assert near_light.judge(rows).passed == passes

@@ -1,19 +1,16 @@
 """A folder on a plain server with the element and packages, and a browser's page for it."""
 
-from collections.abc import Iterator
-from pathlib import Path
-
 import pytest
 
 from rna_view.site_files import ELEMENT, viewer_file
 from tests.package.builders import make_tier, make_tiny_fiber_package, make_tiny_package
-from tests.render.chromium import SOFTWARE_GPU, Page, open_page
+from tests.render.chromium import SOFTWARE_GPU, open_page
 from tests.web.element_pages import Static
 from tests.web.pages import served_folder
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory) -> Path:
+def folder(tmp_path_factory):
     folder = tmp_path_factory.mktemp("theirs")
     (folder / ELEMENT).write_bytes(viewer_file(ELEMENT))
     make_tiny_package(folder / "tiny.rna", make_tier("small"), make_tier("hq", resolution=256))
@@ -23,12 +20,12 @@ def folder(tmp_path_factory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def url(folder) -> Iterator[str]:
+def url(folder):
     with served_folder(folder, Static) as address:
         yield address
 
 
 @pytest.fixture(scope="module")
-def page() -> Iterator[Page]:
+def page():
     with open_page(200, 200, SOFTWARE_GPU) as page:
         yield page

@@ -1,7 +1,5 @@
 """What the page's address asks for, and an exported page on any other server."""
 
-from collections.abc import Iterator
-
 import pytest
 
 from rna_view.site_export import export_site
@@ -18,7 +16,7 @@ ODD_NAMES = ("Chair #2.rna", "50% off.rna", "ü ❤.rna", "a&b=c+d.rna")
 
 
 @pytest.fixture(scope="module")
-def site_url(tmp_path_factory) -> Iterator[str]:
+def site_url(tmp_path_factory):
     """An exported page on a plain server, with packages of odd names beside it."""
     folder = tmp_path_factory.mktemp("exported")
     package = make_tiny_package(tmp_path_factory.mktemp("package") / "Chair #2 50% off?.rna")
@@ -30,7 +28,7 @@ def site_url(tmp_path_factory) -> Iterator[str]:
 
 
 @pytest.fixture(scope="module")
-def chromium_page() -> Iterator[Page]:
+def chromium_page():
     with open_page(160, 100, SOFTWARE_GPU) as page:
         yield page
 

@@ -16,7 +16,7 @@ LOBES = query_width(INPUTS, 4) + 16
 
 
 @pytest.fixture
-def element(page, folder, url) -> None:
+def element(page, folder, url):
     """One element with lobes, whose first look is there."""
     make_tiny_package(folder / "plain.rna")
     with_lobes(folder / "plain.rna", folder / "lobes.rna", decoder=even_decoder(LOBES))

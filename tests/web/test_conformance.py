@@ -1,7 +1,6 @@
 """The viewer gives the answers of the conformance kit (spec/conformance)."""
 
 import base64
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -53,7 +52,7 @@ class PageProgram:
 
 
 @pytest.fixture(scope="module")
-def page() -> Iterator[Page]:
+def page():
     with viewer(Site({}, {})) as page:
         yield page
 

@@ -60,7 +60,7 @@ def mean_under(image: np.ndarray, axis: np.ndarray, kappa: float) -> np.ndarray:
     return np.asarray((image * (density * solid)[..., None]).sum(axis=(0, 1)))
 
 
-def test_bright_directions_are_those_of_the_benchmark() -> None:
+def test_bright_directions_are_those_of_the_benchmark():
     image = sky(suns=True)
     actual, expected = first_light(image), split_environment(image)
     assert len(actual["lights"]) == len(expected.directions) == 8
@@ -80,7 +80,7 @@ def test_bright_directions_are_those_of_the_benchmark() -> None:
     assert split + actual["up"] == pytest.approx(up, rel=5e-3)
 
 
-def test_levels_are_means_of_the_environment() -> None:
+def test_levels_are_means_of_the_environment():
     image = sky(suns=False)
     actual = first_light(image)
     assert actual["lights"] == []
@@ -93,7 +93,7 @@ def test_levels_are_means_of_the_environment() -> None:
         assert actual["levels"][level, row, column] == pytest.approx(expected, rel=5e-3)
 
 
-def test_an_even_environment_stays_even() -> None:
+def test_an_even_environment_stays_even():
     """However few its texels are."""
     actual = first_light(np.full((4, 8, 3), 2.5))
     assert actual["lights"] == []

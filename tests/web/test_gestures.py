@@ -4,7 +4,6 @@ import json
 import shutil
 import subprocess
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -16,7 +15,7 @@ pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="needs Node
 
 
 @pytest.fixture(scope="module")
-def heard() -> dict[str, Any]:
+def heard():
     """By gesture of gestures.mjs: the actions, with their values."""
     command = ["node", str(Path(__file__).parent / "gestures.mjs"), POINTER.as_uri()]
     done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)

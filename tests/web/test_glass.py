@@ -41,7 +41,7 @@ def write_even_package(path: Path) -> None:
 
 
 @pytest.fixture
-def scene(tmp_path: Path) -> Path:
+def scene(tmp_path):
     """A tetrahedron in a ball of glass under a sky with a window."""
     rows = np.linspace([0.3, 0.5, 1.0], [0.5, 0.4, 0.2], 16, dtype=np.float32)
     sky = np.repeat(rows[:, None], 32, axis=1)
@@ -53,7 +53,7 @@ def scene(tmp_path: Path) -> Path:
     return tmp_path / "scene.yaml"
 
 
-def test_the_picture_is_that_of_rna_run(scene: Path) -> None:
+def test_the_picture_is_that_of_rna_run(scene):
     expected, actual = by_rna_run(scene), by_viewer(scene)
     assert psnr(actual, expected) > 30.0
     np.testing.assert_allclose(actual[..., 3], expected[..., 3], atol=0.02)
@@ -62,7 +62,7 @@ def test_the_picture_is_that_of_rna_run(scene: Path) -> None:
     assert psnr(by_rna_run(scene), expected) < 20.0
 
 
-def test_a_ground_is_seen_through_the_glass(scene: Path) -> None:
+def test_a_ground_is_seen_through_the_glass(scene):
     """As bright as the page where light and glass leave it, dark where the glass takes its sun."""
     site = site_for(scene.parent / "tiny.rna")
     light = (
@@ -76,7 +76,7 @@ def test_a_ground_is_seen_through_the_glass(scene: Path) -> None:
     assert shadow < 0.5 * open_ground
 
 
-def test_what_is_no_smooth_glass_is_named(page, folder, url) -> None:
+def test_what_is_no_smooth_glass_is_named(page, folder, url):
     write_ball(folder / "tiny.glass.glb")
     write_ball(folder / "frosted.glb", roughness=0.3)
     (folder / "page.glb").write_text("<!doctype html><title>404</title>")

@@ -2,7 +2,6 @@
 
 import re
 import shutil
-from collections.abc import Iterator
 
 import pytest
 
@@ -14,7 +13,7 @@ pytestmark = pytest.mark.chromium
 
 
 @pytest.fixture(scope="module")
-def elsewhere(folder) -> Iterator[str]:
+def elsewhere(folder):
     """The folder on another origin, in ranges."""
     with served_folder(folder, Ranges) as address:
         yield address

@@ -22,7 +22,7 @@ BOXES = """Object.fromEntries([...one.children].map((own) => {
 
 
 @pytest.fixture(scope="module")
-def shown(page, folder, url) -> None:
+def shown(page, folder, url):
     """A tetrahedron from the front, with a button on its front and one on its back."""
     make_tiny_package(folder / "spots.rna")
     view = 'camera-orbit="0deg 90deg 4m" camera-target="0m 0m 0m"'

@@ -46,12 +46,12 @@ OPTIONS = {
 
 
 @pytest.fixture(scope="module")
-def tarball() -> Path:
+def tarball():
     return packed("rna-viewer")
 
 
 @pytest.fixture(scope="module")
-def package(tarball, tmp_path_factory) -> Path:
+def package(tarball, tmp_path_factory):
     """The package installed from it."""
     modules = tmp_path_factory.mktemp("npm") / "node_modules"
     modules.mkdir()

@@ -1,6 +1,5 @@
 """The viewer's page: files dropped on it, pointer, size, tiers, what goes wrong."""
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +20,7 @@ FILE = "new File([Uint8Array.from(atob('{data}'), (c) => c.charCodeAt(0))], '{na
 
 
 @pytest.fixture(scope="module")
-def package(tmp_path_factory) -> Path:
+def package(tmp_path_factory):
     """A package of two tiers."""
     folder = tmp_path_factory.mktemp("page")
     tiers = make_tier("small"), make_tier("hq", resolution=256)
@@ -29,7 +28,7 @@ def package(tmp_path_factory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def page(package) -> Iterator[Page]:
+def page(package):
     """The page with the package, three samples a picture."""
     with viewer(site_for(package), "samples=3&pixel-ratio=1", 160, 120) as page:
         wait_for_picture(page, 3)

@@ -3,7 +3,6 @@
 import re
 import shlex
 from html import escape
-from pathlib import Path
 
 import pytest
 
@@ -65,7 +64,7 @@ def test_attributes_and_events_are_those_of_the_element():
     assert set(re.findall(r"^\| `([a-z-]+)`", table, re.MULTILINE)) == fired
 
 
-def test_the_line_to_embed_is_that_of_the_command(tmp_path: Path, capsys):
+def test_the_line_to_embed_is_that_of_the_command(tmp_path, capsys):
     line = EMBED.format(address="https://example.org/site/", title="asset")
     assert line in VIEWER
     package = make_tiny_package(tmp_path / 'a "b".rna')

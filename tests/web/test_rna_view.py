@@ -48,7 +48,7 @@ def name_of(path: Path) -> str:
 
 
 @pytest.fixture
-def package(tmp_path) -> Path:
+def package(tmp_path):
     return make_tiny_package(tmp_path / "a b.rna")
 
 

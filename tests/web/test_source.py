@@ -63,13 +63,13 @@ def fetched(*answers: dict[str, Any], address: str = "http://there/a.rna") -> di
     return json.loads(done.stdout)
 
 
-def test_a_file_comes_whole_or_in_ranges() -> None:
+def test_a_file_comes_whole_or_in_ranges():
     assert fetched({"status": 200, "headers": {}, "bytes": 5000})["result"] == "5000 bytes"
     part = {"status": 206, "headers": {}, "bytes": 10000}
     assert fetched(HEAD, part)["result"] == "10000 bytes read"
 
 
-def test_a_file_too_large_for_the_memory_is_not_fetched() -> None:
+def test_a_file_too_large_for_the_memory_is_not_fetched():
     headers = {"Content-Length": str(2**31)}
     actual = fetched({"status": 200, "headers": headers, "bytes": 2**31})
     assert "from a server without range requests" in actual["result"]
@@ -83,19 +83,19 @@ def test_a_file_too_large_for_the_memory_is_not_fetched() -> None:
         [HEAD, {"status": 206, "headers": {}, "bytes": 2**30}],
     ],
 )
-def test_a_server_that_sends_more_than_asked_is_stopped(answers: list[dict[str, Any]]) -> None:
+def test_a_server_that_sends_more_than_asked_is_stopped(answers):
     actual = fetched(*answers)
     assert "sent more than the" in actual["result"]
     assert actual["sent"] < 2**22 and actual["cancelled"]
 
 
-def test_a_range_that_is_cut_short_is_told() -> None:
+def test_a_range_that_is_cut_short_is_told():
     actual = fetched(HEAD, *[{"status": 206, "headers": {}, "bytes": 3}] * 4)
     assert "sent 12 bytes of 10000" in actual["result"]
     assert actual["ranges"][1:3] == ["70000-79999", "70003-79999"]
 
 
-def test_what_is_cut_goes_on_where_it_stopped() -> None:
+def test_what_is_cut_goes_on_where_it_stopped():
     cut = {"status": 206, "headers": {}, "bytes": 4000, "cut": True}
     actual = fetched(HEAD, cut, REFUSED, {"status": 206, "headers": {}, "bytes": 6000})
     assert actual["result"] == "10000 bytes read"
@@ -104,7 +104,7 @@ def test_what_is_cut_goes_on_where_it_stopped() -> None:
     assert "the connection was cut after 4000 bytes, 4 times" in actual["result"]
 
 
-def test_a_whole_file_that_is_cut() -> None:
+def test_a_whole_file_that_is_cut():
     """From where it stopped, of a server that hides its ranges; else again from the start."""
     cut = {"status": 200, "headers": {}, "bytes": 4000, "cut": True}
     actual = fetched(cut, {"status": 206, "headers": {}, "bytes": 1000})
@@ -112,13 +112,13 @@ def test_a_whole_file_that_is_cut() -> None:
     assert fetched(cut, {"status": 200, "headers": {}, "bytes": 5000})["result"] == "5000 bytes"
 
 
-def test_a_server_that_codes_ranges_is_asked_without_one() -> None:
+def test_a_server_that_codes_ranges_is_asked_without_one():
     """Chromium refuses an answer to a range that is compressed, as if there were none."""
     actual = fetched(REFUSED, {"status": 200, "headers": {}, "bytes": 5000})
     assert (actual["result"], actual["ranges"]) == ("5000 bytes", ["0-65535", None])
 
 
-def test_cors_is_named_for_other_sites_alone() -> None:
+def test_cors_is_named_for_other_sites_alone():
     theirs, ours = fetched(REFUSED), fetched(REFUSED, address="http://here/a.rna")
     assert theirs["result"].endswith("no answer, or its server does not allow http://here (CORS)")
     assert ours["result"] == "NoAnswer: cannot load http://here/a.rna: no answer"

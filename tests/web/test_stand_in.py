@@ -2,8 +2,6 @@
 
 import io
 import shutil
-from collections.abc import Iterator
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -24,7 +22,7 @@ BROWSERS = {"none": NO_GPU, "software": SOFTWARE_GPU}
 
 
 @pytest.fixture
-def browser(request) -> Iterator[Page]:
+def browser(request):
     """The page with the flags that the test names."""
     with open_page(160, 100, BROWSERS[request.param]) as page:
         yield page
@@ -120,7 +118,7 @@ def test_the_network_takes_over_at_full_size_and_after_a_loss(browser, folder, u
 
 
 @pytest.mark.parametrize("browser", ["none"], indirect=True)
-def test_a_package_without_colours_has_its_poster(browser, folder: Path, url):
+def test_a_package_without_colours_has_its_poster(browser, folder, url):
     Image.new("RGB", (32, 20), "red").save(folder / "poster.png")
     poster = f'<rna-viewer id="one" src="tiny.rna" poster="poster.png" {LOOKS}></rna-viewer>'
     show(browser, folder, url, poster)
@@ -130,7 +128,7 @@ def test_a_package_without_colours_has_its_poster(browser, folder: Path, url):
 
 
 @pytest.mark.parametrize("browser", ["none"], indirect=True)
-def test_what_has_no_colours_by_place_turns_below_its_poster(browser, folder: Path, url):
+def test_what_has_no_colours_by_place_turns_below_its_poster(browser, folder, url):
     """Strands, in the one colour that their package has for them: the poster until they move."""
     shutil.copy(REPOSITORY / "examples" / "fibers" / "curly_ball.rna", folder)
     turns = 'auto-rotate auto-rotate-delay="0"'

@@ -4,7 +4,6 @@ import json
 import shutil
 import subprocess
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -17,7 +16,7 @@ pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="needs Node
 
 
 @pytest.fixture(scope="module")
-def told() -> dict[str, Any]:
+def told():
     program = Path(__file__).parent / "element_texts.mjs"
     command = ["node", str(program), ELEMENT_SOURCES.as_uri()]
     done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)

@@ -35,7 +35,7 @@ def judged(*packages: bytes) -> tuple[list[str], list[list[str]]]:
     return actual["verdicts"], actual["warnings"]
 
 
-def test_broken_packages_of_the_kit() -> None:
+def test_broken_packages_of_the_kit():
     """Those that the viewer takes have warnings, as of an extension that it does not know."""
     cases = load_kit(find_kit()).validate
     actual, warnings = judged(*(case.package.read_bytes() for case in cases))
@@ -51,7 +51,7 @@ def test_broken_packages_of_the_kit() -> None:
     assert wrong == []
 
 
-def test_decoder_of_countless_layers_with_one_weight(tmp_path) -> None:
+def test_decoder_of_countless_layers_with_one_weight(tmp_path):
     """A small file, whose layers would be copied one after the other for the GPU."""
     entries = read_entries(make_tiny_package(tmp_path / "tiny.rna"))
     package = content_cases.decoder_of_countless_layers_with_one_weight(entries)
@@ -59,7 +59,7 @@ def test_decoder_of_countless_layers_with_one_weight(tmp_path) -> None:
 
 
 @pytest.mark.parametrize("precision", ["float32", "int8"])
-def test_constants_that_are_not_finite_are_refused(precision, tmp_path) -> None:
+def test_constants_that_are_not_finite_are_refused(precision, tmp_path):
     """Every one, also where a later Clip or QuantizeLinear hides it."""
     tier = make_profile_tier("small", "surface", decoder_precision=precision)
     entries = read_entries(write_profile_package(tmp_path / "good.rna", tier))
@@ -68,7 +68,7 @@ def test_constants_that_are_not_finite_are_refused(precision, tmp_path) -> None:
     assert verdicts(*packages) == ["DECODER_RESULT"] * len(packages)
 
 
-def test_packages_with_lobes_have_no_warnings(tmp_path) -> None:
+def test_packages_with_lobes_have_no_warnings(tmp_path):
     plain = make_tiny_package(tmp_path / "tiny.rna")
     cases = [
         with_lobes(plain, tmp_path / "told.rna"),

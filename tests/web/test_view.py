@@ -2,7 +2,6 @@
 
 import base64
 import io
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -25,7 +24,7 @@ DATA_URL = """rnaViewer.screenshot().then((blob) => new Promise((resolve) => {
 
 
 @pytest.fixture(scope="module")
-def page() -> Iterator[Page]:
+def page():
     with viewer(site_for(TOY), "samples=1&first-look=off&pixel-ratio=1&ui=0", 96, 60) as page:
         wait_for_picture(page, 1)
         yield page

@@ -1,11 +1,9 @@
 """What visitors without WebGPU see: a poster, and a calm line in their language."""
 
-from collections.abc import Iterator
-
 import pytest
 from PIL import Image
 
-from tests.render.chromium import NO_GPU, Page, open_page
+from tests.render.chromium import NO_GPU, open_page
 from tests.web.element_pages import Static, line, show
 from tests.web.pages import TIMEOUT
 
@@ -20,7 +18,7 @@ SHOWN = "(({ place }) => place.hidden ? null : place.textContent)(%s.notices)"
 
 
 @pytest.fixture(scope="module")
-def page() -> Iterator[Page]:
+def page():
     with open_page(200, 200, NO_GPU) as page:
         yield page
 

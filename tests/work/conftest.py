@@ -3,7 +3,6 @@
 import importlib.util
 import os
 import warnings
-from collections.abc import Iterator
 from typing import Any
 
 import pytest
@@ -35,7 +34,7 @@ def start_cluster() -> Any:
 
 
 @pytest.fixture(scope="module")
-def cluster() -> Iterator[Any]:
+def cluster():
     """Three nodes of one core each."""
     made = start_cluster()
     yield made
@@ -43,5 +42,5 @@ def cluster() -> Iterator[Any]:
 
 
 @pytest.fixture(scope="module")
-def ray_address(cluster: Any) -> str:
+def ray_address(cluster):
     return cluster.address

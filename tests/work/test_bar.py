@@ -15,16 +15,14 @@ class Terminal(io.StringIO):
 
 
 @pytest.fixture
-def now(monkeypatch: pytest.MonkeyPatch) -> list[float]:
+def now(monkeypatch):
     """The clock, whose last entry is the time."""
     times = [0.0]
     monkeypatch.setattr(bar_module, "monotonic", lambda: times[-1])
     return times
 
 
-def test_a_log_has_a_line_every_ten_seconds_and_one_at_the_end(
-    now: list[float], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_log_has_a_line_every_ten_seconds_and_one_at_the_end(now, monkeypatch):
     log = io.StringIO()
     monkeypatch.setattr("sys.stderr", log)
     with Bar(total=100, desc="rays", unit="ray", mininterval=0.0, miniters=1) as bar:
@@ -45,9 +43,7 @@ def test_a_log_has_a_line_every_ten_seconds_and_one_at_the_end(
     ]
 
 
-def test_a_stage_that_begins_is_a_line_and_a_bar_that_leaves_is_none(
-    now: list[float], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_stage_that_begins_is_a_line_and_a_bar_that_leaves_is_none(now, monkeypatch):
     log = io.StringIO()
     monkeypatch.setattr("sys.stderr", log)
     with Bar(total=10, bar_format="{desc}: {percentage:3.0f}%|{bar}|", leave=False) as bar:
@@ -57,7 +53,7 @@ def test_a_stage_that_begins_is_a_line_and_a_bar_that_leaves_is_none(
     assert log.getvalue() == "round 1:   0%|\nround 2:  50%|\n"
 
 
-def test_a_terminal_has_a_bar(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_terminal_has_a_bar(monkeypatch):
     shown = Terminal()
     monkeypatch.setattr("sys.stderr", shown)
     with Bar(total=4, desc="rays", mininterval=0.0, miniters=1) as bar:

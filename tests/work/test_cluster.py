@@ -1,7 +1,6 @@
 """The pool of workers on a Ray cluster of three nodes."""
 
 import time
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -9,7 +8,7 @@ import pytest
 
 from rna_sdk.errors import WorkError
 from rna_work.backend import Needs
-from rna_work.executors import Executor, open_executor
+from rna_work.executors import open_executor
 from rna_work.pool import Pool
 from rna_work.workers import WorkerLost
 from tests.work.workers import CannotStart, Doubling, Once, Repeating
@@ -18,7 +17,7 @@ pytestmark = pytest.mark.filterwarnings("ignore")  # Ray's own, of its future ve
 
 
 @pytest.fixture(scope="module")
-def executor(ray_address: str) -> Any:
+def executor(ray_address):
     with open_executor(ray_address) as executor:
         yield executor
 
@@ -26,7 +25,7 @@ def executor(ray_address: str) -> Any:
 CORE = Needs("processes")
 
 
-def test_every_item_has_an_outcome_and_all_nodes_work(executor: Executor) -> None:
+def test_every_item_has_an_outcome_and_all_nodes_work(executor):
     with Pool(executor.workers(CORE, None), Doubling, ahead=1) as pool:
         first = [o.value() for o in pool.run([0.2] * 12)]
         assert len(pool.nodes()) == 3
@@ -34,7 +33,7 @@ def test_every_item_has_an_outcome_and_all_nodes_work(executor: Executor) -> Non
     assert first == [0.4] * 12 and values == list(range(0, 100, 2))
 
 
-def test_failures_are_as_on_one_machine(executor: Executor, tmp_path: Path) -> None:
+def test_failures_are_as_on_one_machine(executor, tmp_path):
     with Pool(executor.workers(CORE, 2), Repeating, attempts=2) as pool:
         assert [o.value() for o in pool.run([Once(tmp_path / "a", "fail")])] == ["done"]
         [failed] = pool.run(["fail"])
@@ -45,16 +44,14 @@ def test_failures_are_as_on_one_machine(executor: Executor, tmp_path: Path) -> N
             list(pool.run([1]))
 
 
-def test_a_worker_that_dies_over_and_over_fails_its_item(executor: Executor) -> None:
+def test_a_worker_that_dies_over_and_over_fails_its_item(executor):
     with Pool(executor.workers(CORE, 2), Doubling) as pool:
         outcomes = list(pool.run(["die", 1]))
     assert sorted(o.failure is None for o in outcomes) == [False, True]
     assert any(isinstance(o.failure, WorkerLost) for o in outcomes)
 
 
-def test_a_source_travels_with_what_lies_beside_it(
-    executor: Executor, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_source_travels_with_what_lies_beside_it(executor, tmp_path, monkeypatch):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     source, texture = tmp_path / "a" / "toy.py", tmp_path / "maps" / "wood.png"
     for path in (source, texture):
@@ -70,9 +67,7 @@ def test_a_source_travels_with_what_lies_beside_it(
     assert executor.carry(source, [texture]).here() != here
 
 
-def test_files_that_are_elsewhere_and_missing_are_an_error(
-    executor: Executor, tmp_path: Path
-) -> None:
+def test_files_that_are_elsewhere_and_missing_are_an_error(executor, tmp_path):
     from rna_work.cluster.travelling import check_elsewhere
 
     source, outside = tmp_path / "a" / "toy.blend", tmp_path / "b" / "wood.png"
@@ -103,7 +98,7 @@ class BusyHead:
         self.connected = False
 
 
-def test_a_busy_head_is_asked_again(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_busy_head_is_asked_again(monkeypatch):
     head = BusyHead(failures=2)
     monkeypatch.setattr("rna_work.cluster.ray_cluster.imported_ray", lambda: head)
     with open_executor("auto"):
@@ -116,7 +111,7 @@ def test_a_busy_head_is_asked_again(monkeypatch: pytest.MonkeyPatch) -> None:
         pass
 
 
-def test_workers_share_a_gpu(cluster: Any, executor: Executor) -> None:
+def test_workers_share_a_gpu(cluster, executor):
     """Ray believes what a node says of its GPUs; whether CUDA works there is not seen here."""
     node = cluster.add_node(num_cpus=2, num_gpus=1)
     try:
@@ -131,7 +126,7 @@ def test_workers_share_a_gpu(cluster: Any, executor: Executor) -> None:
         cluster.remove_node(node)
 
 
-def test_workers_go_where_there_is_memory(cluster: Any, executor: Executor) -> None:
+def test_workers_go_where_there_is_memory(cluster, executor):
     node = cluster.add_node(num_cpus=1, memory=1 << 40)
     try:
         needs = Needs("processes", memory=1 << 39)
@@ -145,7 +140,7 @@ def test_workers_go_where_there_is_memory(cluster: Any, executor: Executor) -> N
         cluster.remove_node(node)
 
 
-def test_local_is_a_cluster_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_local_is_a_cluster_of_its_own(monkeypatch):
     """Without an address Ray takes one that runs on this machine."""
     seen: dict[str, object] = {}
     ray = SimpleNamespace(

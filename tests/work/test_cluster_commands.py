@@ -32,9 +32,7 @@ def contents(folder: Path) -> dict[str, bytes]:
 
 
 @pytest.mark.blender
-def test_a_capture_has_the_same_bits(
-    ray_address: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_capture_has_the_same_bits(ray_address, tmp_path, monkeypatch):
     (tmp_path / "maps").mkdir()
     (tmp_path / "maps" / "rough.txt").write_text("0.3")
     source = write_scene(tmp_path, "ball", TEXTURED)
@@ -49,7 +47,7 @@ def test_a_capture_has_the_same_bits(
     assert len(list(there.glob("train/*"))) == 32
 
 
-def test_frames_have_the_same_bits(ray_address: str, tmp_path: Path) -> None:
+def test_frames_have_the_same_bits(ray_address, tmp_path):
     """Frames of a ball and of a ball in motion, whose file travels with the scene."""
     models, ball = tmp_path / "models", sphere(4)
     models.mkdir()
@@ -71,7 +69,7 @@ def test_frames_have_the_same_bits(ray_address: str, tmp_path: Path) -> None:
     assert contents(tmp_path / "b") == contents(tmp_path / "a")
 
 
-def test_a_large_image_has_the_same_bits(ray_address: str, tmp_path: Path) -> None:
+def test_a_large_image_has_the_same_bits(ray_address, tmp_path):
     write_lambert_package(tmp_path / "ball.rna", sphere(4))
     scene = tmp_path / "scene.yaml"
     scene.write_text(SCENE.replace("[12, 8]", "[300, 200]"))

@@ -1,8 +1,6 @@
 """One run with each fault on a cluster; `python -m tests.work.faults` makes more of them."""
 
 import random
-from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -12,5 +10,5 @@ pytestmark = pytest.mark.filterwarnings("ignore")  # Ray's own, of its future ve
 
 
 @pytest.mark.parametrize("fault", FAULTS)
-def test_nothing_is_lost_or_made_twice(cluster: Any, fault: str, tmp_path: Path) -> None:
+def test_nothing_is_lost_or_made_twice(cluster, fault, tmp_path):
     one_run(cluster, fault, random.Random(fault), tmp_path)

@@ -18,7 +18,7 @@ def imports(path: object) -> set[str]:
     return names
 
 
-def test_without_the_option_there_is_no_ray() -> None:
+def test_without_the_option_there_is_no_ray():
     """In a process that imports all commands, what they import late, and opens an executor."""
     steps = [
         "from rna_work.executors import open_executor; open_executor(None).__enter__()",
@@ -34,7 +34,7 @@ def test_without_the_option_there_is_no_ray() -> None:
     assert (done.returncode, done.stderr) == (0, "")
 
 
-def test_where_ray_is_missing_a_line_says_how_to_get_it() -> None:
+def test_where_ray_is_missing_a_line_says_how_to_get_it():
     program = (
         "import sys; sys.modules['ray'] = None\n"
         "from rna_render.command.rna_run import main; sys.exit(main(sys.argv[1:]))"

@@ -27,7 +27,7 @@ def radiance(source: Path, out: Path) -> np.ndarray:
 
 
 @pytest.mark.blender
-def test_they_differ_within_noise(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_they_differ_within_noise(tmp_path, monkeypatch):
     source = write_scene(tmp_path, "ball", BALL)
     usual = radiance(source, tmp_path / "usual.rays")
     monkeypatch.setenv(WITHOUT_AVX2, "1")

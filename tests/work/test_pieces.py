@@ -25,14 +25,14 @@ STOPPED = 2  # pieces that are finished before
 
 
 @pytest.fixture
-def scene_file(tmp_path: Path) -> SceneFile:
+def scene_file(tmp_path):
     write_lambert_package(tmp_path / "ball.rna", sphere(4))
     (tmp_path / "scene.yaml").write_text(SCENE.replace("[12, 8]", "[400, 200]"))
     return read_scene(tmp_path / "scene.yaml")
 
 
 @pytest.fixture
-def rendered(monkeypatch: pytest.MonkeyPatch) -> list[Piece]:
+def rendered(monkeypatch):
     """The pieces that workers render; the one after the first `STOPPED` fails once."""
     pieces: list[Piece] = []
     original = PieceWorker.run
@@ -52,9 +52,7 @@ def stop(scene_file: SceneFile, folder: Path) -> None:
         render_pieces(scene_file, this_machine(), 1, folder)
 
 
-def test_finished_pieces_are_not_rendered_again(
-    scene_file: SceneFile, rendered: list[Piece], tmp_path: Path
-) -> None:
+def test_finished_pieces_are_not_rendered_again(scene_file, rendered, tmp_path):
     folder, whole, pieces = tmp_path / "kept", tmp_path / "a.exr", tmp_path / "b.exr"
     stop(scene_file, folder)
     film, finished = render_pieces(scene_file, this_machine(), 1, folder)
@@ -67,9 +65,7 @@ def test_finished_pieces_are_not_rendered_again(
     assert not folder.exists()
 
 
-def test_pieces_of_another_image_are_rendered_again(
-    scene_file: SceneFile, rendered: list[Piece], tmp_path: Path
-) -> None:
+def test_pieces_of_another_image_are_rendered_again(scene_file, rendered, tmp_path):
     folder = tmp_path / "kept"
     stop(scene_file, folder)
     write_lambert_package(tmp_path / "ball.rna", sphere(3))
@@ -77,9 +73,7 @@ def test_pieces_of_another_image_are_rendered_again(
     assert rendered[:STOPPED] == rendered[STOPPED + 1 : 2 * STOPPED + 1]
 
 
-def test_damaged_pieces_are_rendered_again(
-    scene_file: SceneFile, rendered: list[Piece], tmp_path: Path
-) -> None:
+def test_damaged_pieces_are_rendered_again(scene_file, rendered, tmp_path):
     folder = tmp_path / "kept"
     stop(scene_file, folder)
     first = min(folder.iterdir())
@@ -89,11 +83,11 @@ def test_damaged_pieces_are_rendered_again(
 
 
 def test_ctrl_c_says_how_much_of_the_image_is_kept(
-    scene_file: SceneFile,
-    monkeypatch: pytest.MonkeyPatch,
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+    scene_file,
+    monkeypatch,
+    tmp_path,
+    capsys,
+):
     keep = FinishedPieces.keep
 
     def keep_and_press(self: FinishedPieces, piece: Piece, film: Film) -> None:
@@ -115,13 +109,13 @@ def test_ctrl_c_says_how_much_of_the_image_is_kept(
     )
 
 
-def test_what_is_missing_between_pieces() -> None:
+def test_what_is_missing_between_pieces():
     there = [Piece(3, 5), Piece(5, 8)]
     assert list(missing_pieces(10, there)) == [Piece(0, 3), Piece(8, 10)]
     assert list(missing_pieces(8, [Piece(0, 8)])) == []
 
 
-def test_a_full_disk_is_one_line(tmp_path: Path) -> None:
+def test_a_full_disk_is_one_line(tmp_path):
     blocked = tmp_path / "file"
     blocked.touch()
     with pytest.raises(SceneError, match="cannot be written"):

@@ -8,7 +8,6 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -36,7 +35,7 @@ def free_port() -> int:
 
 
 @pytest.fixture(scope="module")
-def environment(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+def environment(tmp_path_factory):
     """Environment of the cluster's processes; with its token also of the commands."""
     home = tmp_path_factory.mktemp("home")
     named = {"RAY_AUTH_TOKEN": random.randbytes(32).hex(), "HOME": str(home)}
@@ -46,7 +45,7 @@ def environment(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
 
 
 @pytest.fixture(scope="module")
-def address(environment: dict[str, str], tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+def address(environment, tmp_path_factory):
     """Address of a head with two cores, in another process."""
     log = tmp_path_factory.mktemp("head") / "log"
     port, head_port = free_port(), free_port()
@@ -72,7 +71,7 @@ def address(environment: dict[str, str], tmp_path_factory: pytest.TempPathFactor
 
 
 @pytest.fixture
-def scene(tmp_path: Path) -> Path:
+def scene(tmp_path):
     write_lambert_package(tmp_path / "ball.rna", sphere(4))
     path = tmp_path / "scene.yaml"
     path.write_text(SCENE)
@@ -84,9 +83,7 @@ def run(environment: dict[str, str], *arguments: object) -> subprocess.Completed
     return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=SECONDS)
 
 
-def test_an_image_has_the_same_bits(
-    address: str, environment: dict[str, str], scene: Path, tmp_path: Path
-) -> None:
+def test_an_image_has_the_same_bits(address, environment, scene, tmp_path):
     one, other = tmp_path / "a.exr", tmp_path / "b.exr"
     assert render([str(scene), "--out", str(one)]) == 0
     done = run(environment, scene, "--out", other, "--cluster", address)
@@ -95,18 +92,14 @@ def test_an_image_has_the_same_bits(
     assert not (tmp_path / "b.exr.pieces").exists()
 
 
-def test_without_its_token_a_line_says_so(
-    address: str, environment: dict[str, str], scene: Path, tmp_path: Path
-) -> None:
+def test_without_its_token_a_line_says_so(address, environment, scene, tmp_path):
     without = {name: value for name, value in environment.items() if name != "RAY_AUTH_TOKEN"}
     done = run(without, scene, "--out", tmp_path / "a.exr", "--cluster", address)
     assert done.returncode == 1
     assert done.stderr.startswith(f"error: --cluster {address}: requires a token: ")
 
 
-def test_a_head_itself_asks_for_its_token(
-    address: str, environment: dict[str, str], scene: Path, tmp_path: Path
-) -> None:
+def test_a_head_itself_asks_for_its_token(address, environment, scene, tmp_path):
     head = environment["HEAD"]
     without = {name: value for name, value in environment.items() if name != "RAY_AUTH_TOKEN"}
     done = run(without, scene, "--out", tmp_path / "a.exr", "--cluster", head)

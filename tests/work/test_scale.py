@@ -7,7 +7,7 @@ from rna_work.threads import Threads
 from tests.work.workers import Doubling
 
 
-def test_memory_is_flat() -> None:
+def test_memory_is_flat():
     with Pool(Threads(2), Doubling, ahead=4) as pool:
         list(pool.run(range(2000)))
         tracemalloc.start()

@@ -2,7 +2,6 @@
 
 import os
 import shutil
-from collections.abc import Iterator
 from pathlib import Path
 from uuid import uuid4
 
@@ -22,7 +21,7 @@ from tests.work.stores import s3
 
 
 @pytest.fixture(params=["memory", "s3"])
-def store(request: pytest.FixtureRequest) -> Iterator[Store]:
+def store(request):
     if request.param == "memory":
         yield Store(f"memory://{uuid4().hex}")
         return
@@ -33,7 +32,7 @@ def store(request: pytest.FixtureRequest) -> Iterator[Store]:
 pytestmark = pytest.mark.filterwarnings("ignore")  # of moto and its requirements
 
 
-def test_files_come_back_as_they_were(store: Store, tmp_path: Path) -> None:
+def test_files_come_back_as_they_were(store, tmp_path):
     assert store.names() == set()
     store.check()
     local, back = tmp_path / "a", tmp_path / "deep" / "b"
@@ -47,14 +46,12 @@ def test_files_come_back_as_they_were(store: Store, tmp_path: Path) -> None:
     assert sorted(p.name for p in tmp_path.iterdir()) == ["a", "deep"]
 
 
-def test_addresses_that_cannot_be_used_say_so() -> None:
+def test_addresses_that_cannot_be_used_say_so():
     with pytest.raises(WorkError, match="--store nothing://x: "):
         Store("nothing://x").check()
 
 
-def test_a_capture_is_gathered(
-    store: Store, dataset: Dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_capture_is_gathered(store, dataset, tmp_path, monkeypatch):
     """Finished shards go through the store; its shards are not rendered again."""
     made: list[str] = []
 
@@ -89,7 +86,7 @@ def test_a_capture_is_gathered(
 @pytest.mark.parametrize(
     "key", ["../../escaped", "train/../../escaped", "C:/escaped", "..\\escaped"]
 )
-def test_an_object_that_leads_out_of_the_folder_is_refused(key: str, tmp_path: Path) -> None:
+def test_an_object_that_leads_out_of_the_folder_is_refused(key, tmp_path):
     """Object storage keeps such names, and whoever may write to it can put one there."""
     store = Store(f"memory://{uuid4().hex}/trial")
     (tmp_path / "last.ckpt").write_bytes(b"x")
@@ -107,7 +104,7 @@ def test_an_object_that_leads_out_of_the_folder_is_refused(key: str, tmp_path: P
 
 
 @pytest.fixture
-def sent(tmp_path: Path) -> tuple[Store, Path, Path]:
+def sent(tmp_path):
     """A store in a folder, that folder, and a file that is sent to it."""
     first = tmp_path / "data" / "manifest.json"
     first.parent.mkdir()
@@ -115,9 +112,7 @@ def sent(tmp_path: Path) -> tuple[Store, Path, Path]:
     return Store(f"file://{tmp_path / 'there'}"), tmp_path / "there", first
 
 
-def test_a_file_in_a_folder_is_put_whole_or_not(
-    sent: tuple[Store, Path, Path], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_file_in_a_folder_is_put_whole_or_not(sent, monkeypatch):
     store, there, first = sent
     store.put(first, "x")
 

@@ -31,33 +31,33 @@ def faults(rate: float, seconds: int, stuck_at: float = 1e9) -> list[tuple[int, 
     return []
 
 
-def test_a_worker_that_uses_the_processor_is_not_hung() -> None:
+def test_a_worker_that_uses_the_processor_is_not_hung():
     assert faults(rate=0.02, seconds=10_000) == []  # fifty programs on its core
 
 
-def test_a_worker_that_does_nothing_is_hung_after_ten_times_as_long() -> None:
+def test_a_worker_that_does_nothing_is_hung_after_ten_times_as_long():
     [(when, reason)] = faults(rate=0.0, seconds=1000)
     assert when == 401 and "the last 401 s without use of the processor" in reason
 
 
-def test_a_worker_that_stops_in_the_middle_is_found() -> None:
+def test_a_worker_that_stops_in_the_middle_is_found():
     [(when, _)] = faults(rate=0.5, seconds=3000, stuck_at=300)
     assert 700 < when <= 900
 
 
-def test_a_worker_in_circles_is_ended_by_its_processor_time() -> None:
+def test_a_worker_in_circles_is_ended_by_its_processor_time():
     [(when, reason)] = faults(rate=1.0, seconds=1000)
     assert when == 401 and "401 s of processor time, expected within 400 s" in reason
 
 
-def test_without_processor_time_the_clock_decides() -> None:
+def test_without_processor_time_the_clock_decides():
     watch, learned = Watch(0.0, None), timeouts()
     assert not watch.fault(learned, "shard", 399.0, None)
     assert "expected within 400 s" in watch.fault(learned, "shard", 401.0, None)
 
 
 @linux
-def test_processor_time_of_a_process_counts_its_children() -> None:
+def test_processor_time_of_a_process_counts_its_children():
     spin = "import time\nwhile time.process_time() < 0.3: pass\n"
     nested = f"import subprocess, sys, time; subprocess.run([sys.executable, '-c', {spin!r}])"
     waits = spin + "import sys; sys.stdin.read()"
@@ -75,7 +75,7 @@ def test_processor_time_of_a_process_counts_its_children() -> None:
 
 
 @linux
-def test_processor_time_of_a_thread_is_its_own() -> None:
+def test_processor_time_of_a_thread_is_its_own():
     before = thread_seconds(threading.get_native_id())
     until = time.thread_time() + 0.1
     while time.thread_time() < until:

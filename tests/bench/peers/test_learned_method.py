@@ -1,7 +1,5 @@
 """Training of peers: resuming, budgets, records, rays of cameras."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 import torch
@@ -30,7 +28,7 @@ class Plain(LearnedMethod):
 
 
 @pytest.fixture
-def views() -> Views:
+def views():
     rgba = np.ones((2, 4, 6, 4), np.float32)
     rgba[..., :3] = COLOUR
     to_world = np.stack([np.eye(4), np.eye(4)])
@@ -38,7 +36,7 @@ def views() -> Views:
     return Views(rgba, None, to_world, np.float32([[0, 4, 0], [4, 0, 0]]), 0.7)
 
 
-def test_a_training_that_stopped_goes_on_as_if_it_had_not(views: Views, tmp_path: Path) -> None:
+def test_a_training_that_stopped_goes_on_as_if_it_had_not(views, tmp_path):
     whole, halved = Plain(), Plain()
     halved.model.load_state_dict(whole.model.state_dict())
     there = whole.train(views, Budget(60.0, 60.0, steps=150), tmp_path / "whole")
@@ -54,13 +52,13 @@ def test_a_training_that_stopped_goes_on_as_if_it_had_not(views: Views, tmp_path
     np.testing.assert_allclose(image, np.broadcast_to(COLOUR, image.shape), atol=0.02)
 
 
-def test_a_budget_of_time_ends_a_training(views: Views, tmp_path: Path) -> None:
+def test_a_budget_of_time_ends_a_training(views, tmp_path):
     done = Plain().train(views, Budget(0.1, 0.1), tmp_path)
     assert done.steps >= 1 and 0.1 <= done.seconds < 1.0
     assert Plain().train(views, Budget(0.1, 0.1), tmp_path) == done
 
 
-def test_a_loss_that_is_no_number_ends_with_one_line(views: Views, tmp_path: Path) -> None:
+def test_a_loss_that_is_no_number_ends_with_one_line(views, tmp_path):
     method = Plain()
     nn.init.constant_(method.model.bias, np.nan)
     with pytest.raises(TrainingError, match="found loss nan"):
@@ -70,7 +68,7 @@ def test_a_loss_that_is_no_number_ends_with_one_line(views: Views, tmp_path: Pat
         Plain().train(views, Budget(1.0, 1.0, steps=2), tmp_path)
 
 
-def test_rays_go_through_the_middles_of_pixels() -> None:
+def test_rays_go_through_the_middles_of_pixels():
     turned = np.eye(4)
     turned[:3, :3] = [[0, 0, 1], [0, 1, 0], [-1, 0, 0]]  # looks along -x
     turned[:3, 3] = [4.5, 0, 0]

@@ -27,7 +27,7 @@ RADIUS = 0.6
 
 
 @pytest.fixture(scope="module")
-def method() -> NRHints:
+def method():
     return NRHints(Setting())
 
 
@@ -47,7 +47,7 @@ def directions(n: int) -> Tensor:
     return normalize(torch.randn(n, 3, generator=torch.Generator().manual_seed(0)), dim=1)
 
 
-def test_networks_have_the_published_sizes(method: NRHints) -> None:
+def test_networks_have_the_published_sizes(method):
     assert count(method.model.distance) / 1e6 == pytest.approx(0.53, abs=0.005)
     assert count(method.model.colour) / 1e6 == pytest.approx(0.29, abs=0.005)
     first = method.model.colour.layers[0]
@@ -57,7 +57,7 @@ def test_networks_have_the_published_sizes(method: NRHints) -> None:
     assert method.parameter_count == count(method.model.distance) + count(method.model.colour) + 1
 
 
-def test_the_distance_starts_as_that_of_a_sphere(method: NRHints) -> None:
+def test_the_distance_starts_as_that_of_a_sphere(method):
     towards = directions(400)
     actual = {r: method.model.distance.distance(r * towards).detach() for r in (0.0, 0.3, 0.5, 0.9)}
     assert actual[0.5].mean() == pytest.approx(0.0, abs=0.05)
@@ -68,7 +68,7 @@ def test_the_distance_starts_as_that_of_a_sphere(method: NRHints) -> None:
     assert float(method.model.sharpness.detach()) == pytest.approx(math.exp(3.0))
 
 
-def test_weights_of_a_plane_are_in_closed_form() -> None:
+def test_weights_of_a_plane_are_in_closed_form():
     """Transmittance is sigmoid(s f(t)) over that at the first place, of the distance f."""
     edges = torch.linspace(0.0, 2.0, 33)[None]
     cosine, sharpness = -0.6, torch.tensor(40.0)
@@ -88,7 +88,7 @@ def test_weights_of_a_plane_are_in_closed_form() -> None:
     assert half[outside].max() > 0.05  # ... but before annealing
 
 
-def test_importance_samples_gather_at_the_surface() -> None:
+def test_importance_samples_gather_at_the_surface():
     origins, forward = torch.tensor([[0.0, 0.0, 4.0]]), torch.tensor([[0.0, 0.0, -1.0]])
     even = torch.linspace(3.0, 5.0, 64)[None]
     places = importance_samples(origins, forward, even, 64, ball)
@@ -100,7 +100,7 @@ def test_importance_samples_gather_at_the_surface() -> None:
     np.testing.assert_allclose(inverse_cdf(edges, weights, 5)[0], expected, atol=1e-4)
 
 
-def test_visibility_is_the_transmittance_from_the_light() -> None:
+def test_visibility_is_the_transmittance_from_the_light():
     towards = torch.tensor([[0.0, 0.0, 1.0]])
     light, sharpness = 4.0 * towards, torch.tensor(30.0)
     ends = RADIUS * torch.cat([towards, -towards, -0.5 * towards])
@@ -130,7 +130,7 @@ def test_visibility_is_the_transmittance_from_the_light() -> None:
     assert near[0, 0] > 0.98 and near[1:].max() < 1e-3
 
 
-def test_highlights_are_the_ggx_term() -> None:
+def test_highlights_are_the_ggx_term():
     n = torch.tensor([[0.0, 0.0, 1.0]])
     along = highlights(n, n, n)[0]
     expected = [0.04 / (math.pi * r**2 * 4.001) for r in ROUGHNESSES]
@@ -148,7 +148,7 @@ def test_highlights_are_the_ggx_term() -> None:
     assert (highlights(n, n, -n) == 0).all()
 
 
-def test_the_schedule_is_the_published_one(method: NRHints) -> None:
+def test_the_schedule_is_the_published_one(method):
     row = METHODS["nrhints"]
     assert (row.published_steps, row.published_batch) == (1_000_000, 512)
     assert FULL.ray == FULL.light == (64, 64) and FULL.batch == 512
@@ -158,7 +158,7 @@ def test_the_schedule_is_the_published_one(method: NRHints) -> None:
     assert factors == pytest.approx([0.0, 2.5e-4, 5e-4, 2.5e-5], rel=1e-3)
 
 
-def test_losses_of_geometry_are_added_with_their_weights(method: NRHints) -> None:
+def test_losses_of_geometry_are_added_with_their_weights(method):
     views = sphere_views(2, 16)
     targets = Targets.of(views.batch(np.arange(100, 160, 7)), method.device)
     assert targets.depth is not None
@@ -175,7 +175,7 @@ def test_losses_of_geometry_are_added_with_their_weights(method: NRHints) -> Non
         method.geometry = None
 
 
-def test_a_black_ray_past_everything_costs_nothing(method: NRHints) -> None:
+def test_a_black_ray_past_everything_costs_nothing(method):
     views = sphere_views(1, 6)
     image = method.render(views.camera(0), views.lights[0])
     assert image.shape == (6, 6, 3) and image[0, 0].max() < 0.05 < image[3, 3].max()

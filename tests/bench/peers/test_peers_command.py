@@ -21,13 +21,12 @@ from rna_bench.peers.nrhints.nrhints_known import KnownNRHints
 from rna_bench.peers.scoring import HeldOut
 from rna_bench.peers.sphere import lambert_sphere
 from rna_bench.peers.sphere.lambert_sphere import sphere_views
-from rna_bench.peers.views import Views
 from rna_sdk.errors import TrainingError
 from rna_sdk.runtime import load
 
 
 @pytest.fixture(scope="module")
-def toy_views() -> Views:
+def toy_views():
     """Cameras around the toy, whose images are black."""
     positions = load(TOY, threads=1).parts[0].mesh.positions
     centre = (positions.min(axis=0) + positions.max(axis=0)) / 2
@@ -35,7 +34,7 @@ def toy_views() -> Views:
     return replace(sphere_views(2, 16), centre=tuple(centre.tolist()), radius=radius)
 
 
-def test_known_geometry_is_that_of_the_package(toy_views: Views) -> None:
+def test_known_geometry_is_that_of_the_package(toy_views):
     batch = toy_views.batch(np.arange(2 * 256))
     actual = KnownGeometry(TOY, toy_views).hits(batch.origins, batch.directions, batch.lights)
     assert 60 < len(actual.row) < 512 and np.linalg.norm(actual.points, axis=1).max() <= 1.0
@@ -46,9 +45,7 @@ def test_known_geometry_is_that_of_the_package(toy_views: Views) -> None:
     assert set(np.unique(actual.visible)) == {0.0, 1.0} and actual.visible[facing < -0.5].max() == 0
 
 
-def test_a_network_on_known_geometry_learns_a_colour(
-    toy_views: Views, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_network_on_known_geometry_learns_a_colour(toy_views, tmp_path, monkeypatch):
     monkeypatch.setattr(nrhints, "WARM_UP", 10)
     rgba = np.ones_like(toy_views.rgba) * np.float32([0.6, 0.2, 0.1, 1.0])
     views = replace(toy_views, rgba=rgba)
@@ -62,9 +59,7 @@ def test_a_network_on_known_geometry_learns_a_colour(
         METHODS["nrhints-known"].make(Setting())
 
 
-def test_an_analytic_material_on_known_geometry_learns_one(
-    toy_views: Views, tmp_path: Path
-) -> None:
+def test_an_analytic_material_on_known_geometry_learns_one(toy_views, tmp_path):
     geometry = KnownGeometry(TOY, toy_views)
     batch = toy_views.batch(np.arange(toy_views.pixels))
     hits = geometry.hits(batch.origins, batch.directions, batch.lights)
@@ -83,9 +78,7 @@ def test_an_analytic_material_on_known_geometry_learns_one(
     assert hits.tangents.max() == 0.0
 
 
-def test_a_tiny_run_is_measured_and_resumed(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_tiny_run_is_measured_and_resumed(tmp_path, monkeypatch, capsys):
     command = ["peers", "sphere", "--methods", "nrhints", "--steps", "2", "--held-out", "1"]
     command += ["--size", "8", "--out", str(tmp_path)]
     monkeypatch.setattr(study, "PARTS", (0.5, 1.0))
@@ -113,9 +106,7 @@ def test_a_tiny_run_is_measured_and_resumed(
     assert "size 8, now 4): choose another --out, or --again" in capsys.readouterr().err
 
 
-def test_several_packages_of_ours_are_told_apart(
-    toy_views: Views, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_several_packages_of_ours_are_told_apart(toy_views, tmp_path, monkeypatch):
     black = [np.zeros((16, 16, 3), np.float32)] * len(toy_views)
     monkeypatch.setattr(our_package, "render_package", lambda *_: (black, 0.5))
     plan = study.Plan(toy_views, None, {"val": HeldOut.of(toy_views)}, 1.0)
@@ -128,7 +119,7 @@ def test_several_packages_of_ours_are_told_apart(
     assert our_package.measured([TOY], plan, 1)[0]["title"] == f"ours, {tiers[0]}"
 
 
-def test_the_sphere_as_an_asset_is_that_of_the_closed_form() -> None:
+def test_the_sphere_as_an_asset_is_that_of_the_closed_form():
     text = (Path(lambert_sphere.__file__).parent / "sphere_asset.py").read_text()
     made = [node for node in ast.parse(text).body if isinstance(node, ast.Assign)]
     values = {ast.unparse(node.targets[0]): ast.unparse(node.value) for node in made}
@@ -140,7 +131,7 @@ def test_the_sphere_as_an_asset_is_that_of_the_closed_form() -> None:
     np.testing.assert_array_equal(albedo, lambert_sphere.ALBEDO)
 
 
-def test_bad_input_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_bad_input_is_one_line(tmp_path, capsys):
     assert main(["peers", str(tmp_path), "--out", str(tmp_path / "out")]) == 1
     error = capsys.readouterr().err
     assert error.count("\n") == 1 and "transforms_train.json: cannot read it" in error

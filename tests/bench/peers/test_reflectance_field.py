@@ -43,14 +43,14 @@ def transmittance_through_gaussian(start: torch.Tensor, end: torch.Tensor) -> to
     return torch.exp(-depth)
 
 
-def test_network_has_its_published_size() -> None:
+def test_network_has_its_published_size():
     encoded, hidden = 63 * 256 + 256, 256 * 256 + 256
     base = encoded + 13 * hidden + 2 * 63 * 256
     for made, outputs in ((make, 8), (make_of_fur, 11)):
         assert made(Setting()).parameter_count == base + 256 * outputs + outputs
 
 
-def test_transmittance_of_the_field_is_its_quadrature() -> None:
+def test_transmittance_of_the_field_is_its_quadrature():
     torch.manual_seed(0)
     field = FieldNetwork()
     with torch.no_grad():
@@ -69,7 +69,7 @@ def test_transmittance_of_the_field_is_its_quadrature() -> None:
     assert torch.allclose(actual[0], actual[1][::10], rtol=5e-3)
 
 
-def test_relighting_interpolates_the_transmittance_from_the_light() -> None:
+def test_relighting_interpolates_the_transmittance_from_the_light():
     volume = LightVolume(gaussian, LIGHT, side=128, sections=128)
     points = torch.randn(2000, 3, generator=torch.Generator().manual_seed(1)) * 0.4
     points = points[points.norm(dim=1) < 0.99]
@@ -80,7 +80,7 @@ def test_relighting_interpolates_the_transmittance_from_the_light() -> None:
         LightVolume(gaussian, torch.tensor([0.5, 0.0, 0.0]), 8, 8)
 
 
-def test_collocated_light_is_weakened_twice() -> None:
+def test_collocated_light_is_weakened_twice():
     rays = Rays(4.0 * torch.eye(3)[:1], -torch.eye(3)[:1], 4.0 * torch.eye(3)[:1])
     points, lengths = sections(rays, torch.linspace(3.0, 5.0, 401)[None])
     density, white = gaussian(points[0])[None], torch.ones(1, 400, 3)
@@ -108,7 +108,7 @@ def views_of(light_aside: float) -> Views:
     return Views(rgba, None, to_world, lights, fov_x=0.4)
 
 
-def test_trains_on_collocated_views_alone_and_renders_both_lights(tmp_path, monkeypatch) -> None:
+def test_trains_on_collocated_views_alone_and_renders_both_lights(tmp_path, monkeypatch):
     small = Sampling((4, 4), 8, (8, 8))
     monkeypatch.setattr("rna_bench.peers.fields.reflectance_field.REDUCED", small)
     method, budget = make_of_fur(Setting()), Budget(60.0, 60.0, steps=2)
@@ -122,7 +122,7 @@ def test_trains_on_collocated_views_alone_and_renders_both_lights(tmp_path, monk
     assert not np.allclose(*pictures)
 
 
-def test_a_diffuse_strand_sends_out_its_share() -> None:
+def test_a_diffuse_strand_sends_out_its_share():
     """Over a cylinder: power out = pi^2 diffuse of what arrives, for light from any inclination."""
     count = 500
     s = (torch.arange(count) + 0.5) / count * 2.0 - 1.0  # sine of wo to the tangent

@@ -33,7 +33,7 @@ def write_folder(folder: Path) -> dict[str, Any]:
     return meta
 
 
-def test_cameras_and_lights_stand_where_they_should() -> None:
+def test_cameras_and_lights_stand_where_they_should():
     frames = PLAN.frames("train")
     assert frames == ViewsPlan(9, 2, 1, 4, 1, 1).frames("train")[:3]
     assert frames[0] != PLAN.frames("val")[0]
@@ -48,7 +48,7 @@ def test_cameras_and_lights_stand_where_they_should() -> None:
         np.testing.assert_allclose(np.array(frame["transform_matrix"])[:3, 3], frame["pl_pos"])
 
 
-def test_a_folder_is_read_as_it_was_written(tmp_path: Path) -> None:
+def test_a_folder_is_read_as_it_was_written(tmp_path):
     meta = write_folder(tmp_path)
     views = read_views(tmp_path, "train")
     assert splits_of(tmp_path) == ["train"] and views.size == (4, 4) and len(views) == 3
@@ -61,14 +61,14 @@ def test_a_folder_is_read_as_it_was_written(tmp_path: Path) -> None:
     np.testing.assert_allclose(batch.origins, views.to_world[[1, 2], :3, 3], rtol=1e-6)
 
 
-def test_an_image_that_is_missing_is_one_line(tmp_path: Path) -> None:
+def test_an_image_that_is_missing_is_one_line(tmp_path):
     write_folder(tmp_path)
     (tmp_path / "train/r_0000.exr").unlink()
     with pytest.raises(SceneError, match=r"train/r_0000\.exr: cannot read the image"):
         read_views(tmp_path, "train")
 
 
-def test_a_folder_without_views_is_one_line(tmp_path: Path) -> None:
+def test_a_folder_without_views_is_one_line(tmp_path):
     with pytest.raises(SceneError, match=r"transforms_val\.json: cannot read it: No such file"):
         read_views(tmp_path, "val")
     (tmp_path / "transforms_val.json").write_text("[")
@@ -76,7 +76,7 @@ def test_a_folder_without_views_is_one_line(tmp_path: Path) -> None:
         read_views(tmp_path, "val")
 
 
-def test_the_sphere_is_lamberts() -> None:
+def test_the_sphere_is_lamberts():
     views = sphere_views(4, 32)
     assert views.depth is not None
     k = int(np.argmax(views.rgba[..., 0]))
@@ -91,7 +91,7 @@ def test_the_sphere_is_lamberts() -> None:
     assert views.rgba[..., :3].max() < 1.0
 
 
-def test_scores_are_of_the_asset_and_of_all_pixels() -> None:
+def test_scores_are_of_the_asset_and_of_all_pixels():
     views = sphere_views(2, 16)
     held = HeldOut(reduced(views, 8), 1.0)
     assert held.views.rgba.shape == (2, 8, 8, 4)

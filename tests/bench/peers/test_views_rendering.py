@@ -1,7 +1,6 @@
 """Views of `rna-bench peers-data`, rendered by Cycles."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,13 +9,13 @@ from rna_bench.peers.views_plan import INTENSITY, ViewsPlan
 from rna_bench.peers.views_reader import read_views
 from rna_bench.peers.views_rendering import render_views
 from rna_sdk.errors import CaptureError
-from tests.exporters.conftest import OpenWorker, lent_workers, open_worker
+from tests.exporters.conftest import lent_workers, open_worker
 
 __all__ = ["lent_workers", "open_worker"]
 
 
 @pytest.mark.blender
-def test_views_are_lamberts(open_worker: OpenWorker, tmp_path: Path) -> None:
+def test_views_are_lamberts(open_worker, tmp_path):
     """Views of a unit ball: places, depth, light; nothing made twice."""
     worker, folder = open_worker("add(*BALL, diffuse((0.9, 0.5, 0.1)))"), tmp_path / "views"
     albedo = np.array([0.9, 0.5, 0.1])

@@ -1,13 +1,11 @@
 """Base colour in three.js is that of rna-run: the package's own print, and another one."""
 
 import shutil
-from collections.abc import Iterator
 
 import numpy as np
 import pytest
 
 from tests.package.prints import make_print, make_variants
-from tests.render.chromium import Page
 from tests.web.pages import TIMEOUT
 from tests.web.test_base_color import VIEW, printed_anew, write_files
 from tests.web.test_picture import LEAST_PSNR, by_rna_run, middles_of_pixels, psnr, write_scene
@@ -45,7 +43,7 @@ VARIANT = """(async () => {{
 
 
 @pytest.fixture(scope="module")
-def page(tmp_path_factory) -> Iterator[Page]:
+def page(tmp_path_factory):
     folder = tmp_path_factory.mktemp("prints")
     installed(folder)
     make_print(folder / "print.rna", write_files(folder, CELLS))

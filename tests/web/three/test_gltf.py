@@ -2,7 +2,6 @@
 
 import shutil
 from base64 import b64decode
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -77,7 +76,7 @@ def broken_file() -> GltfFile:
 
 
 @pytest.fixture(scope="module")
-def page(tmp_path_factory) -> Iterator[Page]:
+def page(tmp_path_factory):
     folder = tmp_path_factory.mktemp("gltf")
     installed(folder)
     for path in (SURFACE, STRANDS, PAGE):

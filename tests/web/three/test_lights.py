@@ -3,7 +3,6 @@
 import base64
 import json
 import shutil
-from collections.abc import Iterator
 
 import numpy as np
 import OpenEXR
@@ -61,7 +60,7 @@ __all__ = ["middles_of_pixels"]
 
 
 @pytest.fixture(scope="module")
-def page(tmp_path_factory) -> Iterator[Page]:
+def page(tmp_path_factory):
     folder = tmp_path_factory.mktemp("lights")
     installed(folder)
     for path in (*(one["path"] for one in (TOY, CURLS, GLOWING, GLOWING_CURLS)), PAGE):

@@ -25,7 +25,7 @@ READ_IN_NODE = """
 
 
 @pytest.fixture(scope="module")
-def package(tmp_path_factory) -> tuple[Path, Path]:
+def package(tmp_path_factory):
     """The tarball, and the package installed from it."""
     folder = tmp_path_factory.mktemp("package")
     tarball = installed(folder)

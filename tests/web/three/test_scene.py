@@ -1,7 +1,6 @@
 """An asset in a scene of three.js: how it is loaded, its picture, what it leaves behind."""
 
 import shutil
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +20,7 @@ SIZE = [96, 60]
 
 
 @pytest.fixture(scope="module")
-def page(tmp_path_factory) -> Iterator[Page]:
+def page(tmp_path_factory):
     """A page with the module, a renderer and packages beside it."""
     folder = tmp_path_factory.mktemp("scene")
     installed(folder)

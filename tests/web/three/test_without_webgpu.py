@@ -3,12 +3,10 @@ the asset itself.
 """
 
 import shutil
-from collections.abc import Iterator
 
 import numpy as np
 import pytest
 
-from tests.render.chromium import Page
 from tests.web.pages import TIMEOUT
 from tests.web.three.pages import PAGE, TINY, installed, opened
 
@@ -39,7 +37,7 @@ COMPATIBLE = """() => {
 
 
 @pytest.fixture(scope="module")
-def page(tmp_path_factory) -> Iterator[Page]:
+def page(tmp_path_factory):
     folder = tmp_path_factory.mktemp("without")
     installed(folder)
     for path in (PRINT, PAGE):
