@@ -257,9 +257,8 @@ class BlenderWorker(BlenderProcess):
         )
         passes = read_render(out, "Position")
         out.unlink()
-        size = camera.height, camera.width
-        rgba = channels(passes, "Combined", "RGBA").reshape(*size, 4)
-        points = from_blender(channels(passes, "Position", "XYZ")).reshape(*size, 3)
+        rgba = channels(passes, "Combined", "RGBA").reshape(camera.height, camera.width, 4)
+        points = from_blender(channels(passes, "Position", "XYZ")).reshape(rgba[..., :3].shape)
         return rgba, points
 
     def _render(self, op: str, request: dict[str, Any], wi: Light, samples: int, seed: int) -> None:
