@@ -121,7 +121,7 @@ class NeuralAsset(nn.Module):
     def _colours_of_decoder(self, features: Tensor, p: Tensor, at: Points) -> Tensor:
         """y of all colours except `shadow`."""
         queries = assemble(self.config.inputs, features, p, at)
-        y = through(self.decoder, queries, self.multiplies_in_bfloat16 and torch.is_grad_enabled())
+        y = through(self.decoder, queries, self._in_bfloat16)
         if self.config.material == "gltf":
             radiance = gltf_radiance(gltf_material(y), at["normal"], at["wo"], at["wi"])
             lit = torch.log1p(radiance / self.unit)
@@ -162,6 +162,10 @@ class NeuralAsset(nn.Module):
         rest, factor = x.chunk(2, dim=-2)
         color = at["base_color"].reshape(len(x), *[1] * (x.dim() - 2), 3)
         return rest + color * factor
+
+    @property
+    def _in_bfloat16(self) -> bool:
+        return self.multiplies_in_bfloat16 and torch.is_grad_enabled()
 
     def queries(self, at: Points, blur: float | Tensor = 1.0) -> Tensor:
         """The decoder's queries, (k, K)."""
