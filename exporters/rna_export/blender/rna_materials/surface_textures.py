@@ -29,7 +29,8 @@ from rna_materials.uv_points import NotOfUv, UvPoints, joined
 from rna_materials.uv_render import ColourOfUv
 
 _NOTED, _WRONG = 0.01, 0.1  # mean errors of holes: noted, and of no use
-_WRONG_NORMAL = 0.03  # mean error of a normal's x and y
+_WRONG_NORMAL = 0.03  # mean error of a normal's x and y, or as
+_OF_RELIEF = 0.25  # a share of their mean
 _KEPT = 0.5  # of the relief's spread, at least, in a map of fewer texels
 _SHARP = 0.025  # error of a sharp outline where Cycles has one as wide as a texel
 
@@ -257,7 +258,8 @@ def _fit_normals(
 
     largest = normal.largest if isinstance(normal, ReliefOfUv) else LARGEST
     fit = best_fit(normal, [chart for chart in tried if chart.is_upright], make, error, largest)
-    return None if fit is None or fit.error > _WRONG_NORMAL else fit
+    wrong = max(_WRONG_NORMAL, _OF_RELIEF * float(np.abs(truth).mean()))
+    return None if fit is None or fit.error > wrong else fit
 
 
 def _refitted(surface: Surface, holes: Fit | None, chart: Chart) -> Fit | None:
