@@ -236,6 +236,19 @@ def test_heights_become_the_normals_that_cycles_shades_with(
     assert np.percentile(off, 95) < 0.5 * np.median(bent)
 
 
+def test_steep_relief_may_be_off_by_a_share_of_itself(open_worker: OpenWorker) -> None:
+    """Grooves between cells of 13 texels: 0.04 off in the mean, and a flat surface 0.3."""
+    grooves = """
+cells, sides = tree.nodes.new("ShaderNodeTexVoronoi"), tree.nodes.new("ShaderNodeTexCoord")
+cells.feature, cells.inputs["Scale"].default_value = "DISTANCE_TO_EDGE", 80.0
+tree.links.new(sides.outputs["UV"], cells.inputs["Vector"])
+node = bump(Distance=0.02)
+tree.links.new(cells.outputs["Distance"], node.inputs["Height"])
+"""
+    textures = open_worker(BUMP + grooves).export_textures(1024)
+    assert list(textures.normals) == ["leather"] and textures.obstacles == {}
+
+
 def test_relief_that_no_map_can_have_is_told(open_worker: OpenWorker) -> None:
     bump = """
 bump = tree.nodes.new("ShaderNodeBump")
