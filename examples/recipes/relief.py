@@ -2,8 +2,8 @@
 
     rna-make examples/recipes/relief.py --out knit.rna --minutes 5 -- knit
 
-The heights of leaf and knit are images, those of bark and leather procedural; bark's is displacement
-as bump, the others' are Bump nodes. Runs inside Blender.
+The heights of leaf and knit are images, those of bark and leather procedural; bark's is
+displacement as bump, the others' are Bump nodes. Runs inside Blender.
 """
 
 import argparse
@@ -21,49 +21,11 @@ STITCH = 0.0052  # width of a stitch
 WALLET = (0.11, 0.024, 0.085)
 
 
-class Nodes:
-    """The nodes of a material with a Principled BSDF."""
-
-    def __init__(self, name, base=None, **values):
-        self.material = shading.principled(name, base, **values)
-        self.tree = self.material.node_tree
-        self.shader = self.tree.nodes["Principled BSDF"]
-
-    def add(self, kind, **values):
-        node = self.tree.nodes.new(f"ShaderNode{kind}")
-        for name, value in values.items():
-            node.inputs[name.replace("_", " ")].default_value = value
-        return node
-
-    def link(self, output, socket):
-        self.tree.links.new(output, socket)
-
-    def uv(self, scale=(1.0, 1.0, 1.0)):
-        """UV coordinates times `scale`."""
-        mapping = self.add("Mapping", Scale=scale)
-        self.link(self.add("TexCoord").outputs["UV"], mapping.inputs["Vector"])
-        return mapping.outputs["Vector"]
-
-    def image(self, pixels, at):
-        texture = shading.add_image(self.material, pixels)
-        self.link(at, texture.inputs["Vector"])
-        return texture.outputs["Color"]
-
-    def ramp(self, value, *stops):
-        """A colour ramp of (position, linear RGB)."""
-        node = self.add("ValToRGB")
-        while len(node.color_ramp.elements) < len(stops):
-            node.color_ramp.elements.new(1.0)
-        for element, (position, colour) in zip(node.color_ramp.elements, stops, strict=True):
-            element.position, element.color = position, (*colour, 1.0)
-        self.link(value, node.inputs[0])
-        return node.outputs["Color"]
-
-    def bump(self, height, distance, strength=1.0):
-        node = self.add("Bump", Distance=distance, Strength=strength)
-        self.link(height, node.inputs["Height"])
-        self.link(node.outputs["Normal"], self.shader.inputs["Normal"])
-        return node
+def image(nodes, pixels, at):
+    """The node of an image at some coordinates."""
+    texture = shading.add_image(nodes.material, pixels)
+    nodes.link(at, texture.inputs["Vector"])
+    return texture
 
 
 def grey(values):
@@ -96,12 +58,11 @@ def leaf():
     green = np.array([0.035, 0.12, 0.015]) + height[..., None] * np.array([0.12, 0.15, 0.05])
     colour = np.concatenate([shading.encoded(green), (np.abs(x) < wide)[..., None]], axis=2)
 
-    nodes = Nodes("leaf", Roughness=0.38)
-    at = nodes.uv()
-    texture = shading.add_image(nodes.material, shading.image("leaf", colour))
-    nodes.link(at, texture.inputs["Vector"])
-    nodes.link(texture.outputs["Color"], nodes.shader.inputs["Base Color"])
-    bump = nodes.bump(nodes.image(grey(height), at), 0.0006)
+    nodes = shading.Nodes("leaf", Roughness=0.38)
+    at = nodes.coordinates("UV")
+    texture = image(nodes, shading.image("leaf", colour), at)
+    nodes.link(texture.outputs["Color"], "Base Color")
+    bump = nodes.bump(image(nodes, grey(height), at).outputs["Color"], Distance=0.0006)
     bump.invert = True
     thin = shading.add_shader(nodes.material, "Translucent", (0.16, 0.36, 0.03))
     body = shading.mix(nodes.material, 0.4, nodes.shader.outputs[0], thin)
@@ -117,9 +78,9 @@ def leaf():
 
 def bark():
     """A piece of trunk: furrows and plates by noise and cells, as displacement as bump."""
-    nodes = Nodes("bark", Roughness=0.85)
+    nodes = shading.Nodes("bark", Roughness=0.85)
     around = 2.0 * math.pi * TRUNK[0]
-    at = nodes.uv((around, TRUNK[1], 1.0))  # metres
+    at = nodes.coordinates("UV", (around, TRUNK[1], 1.0))  # metres
     stretch = nodes.add("Mapping", Scale=(1.0, 0.3, 1.0))
     nodes.link(at, stretch.inputs["Vector"])
     warp = nodes.add("TexNoise", Scale=60.0, Detail=2.0)
@@ -139,12 +100,10 @@ def bark():
     colour = nodes.ramp(
         height.outputs["Color"], (0.1, (0.025, 0.015, 0.01)), (0.9, (0.24, 0.17, 0.12))
     )
-    nodes.link(colour, nodes.shader.inputs["Base Color"])
+    nodes.link(colour, "Base Color")
     displacement = nodes.add("Displacement", Scale=0.003)
     nodes.link(height.outputs["Color"], displacement.inputs["Height"])
-    nodes.link(
-        displacement.outputs[0], nodes.tree.nodes["Material Output"].inputs["Displacement"]
-    )
+    nodes.link(displacement.outputs[0], nodes.tree.nodes["Material Output"].inputs["Displacement"])
     nodes.material.displacement_method = "BUMP"
     profile = [(TRUNK[0], TRUNK[1] * t) for t in np.linspace(0.0, 1.0, 12)]
     shapes.add(shapes.lathe(profile, 64), "trunk", nodes.material, smooth_deg=180.0)
@@ -161,20 +120,22 @@ def stitch(size=64):
     along = (y - 1.1 * side) % 1.0
     across = (side - 0.25) / 0.25
     yarn = np.sqrt(np.clip(1.0 - across**2, 0.0, 1.0))
-    return yarn * (0.7 + 0.3 * np.cos(2.0 * np.pi * along)) * (
-        0.94 + 0.06 * np.cos(2.0 * np.pi * (5.0 * along + 2.0 * across))
+    return (
+        yarn
+        * (0.7 + 0.3 * np.cos(2.0 * np.pi * along))
+        * (0.94 + 0.06 * np.cos(2.0 * np.pi * (5.0 * along + 2.0 * across)))
     )
 
 
 def knit():
     """A cuff of wool, stitches of 5 mm, one image of a stitch repeated."""
-    nodes = Nodes("knit", Roughness=0.9, Sheen_Weight=0.4, Sheen_Roughness=0.5)
+    nodes = shading.Nodes("knit", Roughness=0.9, Sheen_Weight=0.4, Sheen_Roughness=0.5)
     around = round(2.0 * math.pi * CUFF[0] / STITCH)
-    at = nodes.uv((around, round(CUFF[1] / STITCH), 1.0))
-    height = nodes.image(grey(stitch()), at)
+    at = nodes.coordinates("UV", (around, round(CUFF[1] / STITCH), 1.0))
+    height = image(nodes, grey(stitch()), at).outputs["Color"]
     colour = nodes.ramp(height, (0.0, (0.10, 0.012, 0.02)), (1.0, (0.55, 0.11, 0.10)))
-    nodes.link(colour, nodes.shader.inputs["Base Color"])
-    nodes.bump(height, 0.0016)
+    nodes.link(colour, "Base Color")
+    nodes.bump(height, Distance=0.0016)
     bulge = [(CUFF[0] + 0.003 * math.sin(9.0 * t), CUFF[1] * t) for t in np.linspace(0, 1, 40)]
     item = shapes.add(shapes.lathe(bulge, 96), "cuff", nodes.material, smooth_deg=180.0)
     item.modifiers.new("thickness", "SOLIDIFY").thickness = 0.003
@@ -196,12 +157,12 @@ def leather():
     item.data.shade_smooth()
     item.name = "wallet"
     item.location = (0.0, 0.0, 0.5 * WALLET[2])
-    nodes = Nodes("leather", (0.16, 0.055, 0.02), Roughness=0.42, Coat_Weight=0.15)
+    nodes = shading.Nodes("leather", (0.16, 0.055, 0.02), Roughness=0.42, Coat_Weight=0.15)
     cells = nodes.add("TexVoronoi", Scale=110.0, Randomness=1.0)
     cells.feature = "DISTANCE_TO_EDGE"
-    nodes.link(nodes.uv(), cells.inputs["Vector"])
+    nodes.placed(cells, "UV")
     height = nodes.ramp(cells.outputs["Distance"], (0.0, (0,) * 3), (0.25, (1,) * 3))
-    nodes.bump(height, 0.0003)
+    nodes.bump(height, Distance=0.0003)
     item.data.materials.clear()
     item.data.materials.append(nodes.material)
 

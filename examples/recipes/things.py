@@ -17,47 +17,6 @@ import shapes
 Z = (0.0, 0.0, 0.0)
 
 
-class Nodes:
-    """The nodes of a material with a Principled BSDF."""
-
-    def __init__(self, name, base=None, **values):
-        self.material = shading.principled(name, base, **values)
-        self.tree = self.material.node_tree
-        self.shader = self.tree.nodes["Principled BSDF"]
-
-    def add(self, kind, **values):
-        node = self.tree.nodes.new(f"ShaderNode{kind}")
-        for name, value in values.items():
-            node.inputs[name.replace("_", " ")].default_value = value
-        return node
-
-    def link(self, output, socket):
-        target = self.shader.inputs[socket] if isinstance(socket, str) else socket
-        self.tree.links.new(output, target)
-
-    def texture(self, kind, output, scale=(1.0, 1.0, 1.0), **values):
-        """A texture node over stretched coordinates."""
-        node, mapping = self.add(f"Tex{kind}", **values), self.add("Mapping", Scale=scale)
-        self.link(self.add("TexCoord").outputs[output], mapping.inputs["Vector"])
-        self.link(mapping.outputs["Vector"], node.inputs["Vector"])
-        return node
-
-    def ramp(self, value, *stops):
-        """A colour ramp of (position, linear RGB)."""
-        node = self.add("ValToRGB")
-        while len(node.color_ramp.elements) < len(stops):
-            node.color_ramp.elements.new(1.0)
-        for element, (position, colour) in zip(node.color_ramp.elements, stops, strict=True):
-            element.position, element.color = position, (*colour, 1.0)
-        self.link(value, node.inputs[0])
-        return node.outputs["Color"]
-
-    def bump(self, height, distance):
-        node = self.add("Bump", Distance=distance)
-        self.link(height, node.inputs["Height"])
-        self.link(node.outputs["Normal"], "Normal")
-
-
 def primitive(kind, material, at=Z, scale=(1.0, 1.0, 1.0), turn=Z, **values):
     """An object of bpy.ops.mesh.primitive_`kind`_add, smooth, its scale applied."""
     getattr(bpy.ops.mesh, f"primitive_{kind}_add")(location=at, rotation=turn, **values)
@@ -77,8 +36,15 @@ def modifier(item, kind, **values):
 
 
 def rounded(item, width, segments=3):
-    modifier(item, "BEVEL", width=width, segments=segments, limit_method="ANGLE",
-             angle_limit=math.radians(40.0), harden_normals=True)  # fmt: skip
+    modifier(
+        item,
+        "BEVEL",
+        width=width,
+        segments=segments,
+        limit_method="ANGLE",
+        angle_limit=math.radians(40.0),
+        harden_normals=True,
+    )
 
 
 def blocks():
@@ -90,8 +56,12 @@ def blocks():
     group = bpy.data.node_groups.new("heap", "GeometryNodeTree")
     group.interface.new_socket("Geometry", in_out="OUTPUT", socket_type="NodeSocketGeometry")
     grid = group.nodes.new("GeometryNodeMeshCube")
-    for name, value in (("Size", (0.12, 0.12, 0.08)), ("Vertices X", 4), ("Vertices Y", 4),
-                        ("Vertices Z", 3)):  # fmt: skip
+    for name, value in (
+        ("Size", (0.12, 0.12, 0.08)),
+        ("Vertices X", 4),
+        ("Vertices Y", 4),
+        ("Vertices Z", 3),
+    ):
         grid.inputs[name].default_value = value
     info, place = (
         group.nodes.new(f"GeometryNode{kind}") for kind in ("ObjectInfo", "InstanceOnPoints")
@@ -132,20 +102,27 @@ def printed():
 
 def tin():
     """A tin with a printed label under clear coat, and a lid of steel."""
-    label = shading.principled("label", shading.image("label", printed()), Roughness=0.5,
-                               Coat_Weight=1.0, Coat_Roughness=0.05)  # fmt: skip
+    label = shading.principled(
+        "label",
+        shading.image("label", printed()),
+        Roughness=0.5,
+        Coat_Weight=1.0,
+        Coat_Roughness=0.05,
+    )
     steel = shading.principled("lid", (0.62, 0.61, 0.59), Metallic=1.0, Roughness=0.25)
     profile = [(0.04, 0.1 * t) for t in np.linspace(0.0, 1.0, 6)]
     shapes.add(shapes.lathe(profile, 96), "label", label, smooth_deg=180.0)
-    for name, z in (("lid", 0.105), ("foot", -0.004)):
-        rounded(primitive("cylinder", steel, at=(0, 0, z), vertices=96, radius=0.041, depth=0.01),
-                0.002)  # fmt: skip
+    for z in (0.105, -0.004):
+        rounded(
+            primitive("cylinder", steel, at=(0, 0, z), vertices=96, radius=0.041, depth=0.01), 0.002
+        )
 
 
 def mug():
     """A mug of steel that is brushed around, with thickness and a handle."""
-    nodes = Nodes("brushed steel", (0.62, 0.6, 0.58), Metallic=1.0, Roughness=0.28,
-                  Anisotropic=0.7)  # fmt: skip
+    nodes = shading.Nodes(
+        "brushed steel", (0.62, 0.6, 0.58), Metallic=1.0, Roughness=0.28, Anisotropic=0.7
+    )
     tangent = nodes.add("Tangent")
     tangent.direction_type, tangent.axis = "RADIAL", "Z"
     nodes.link(tangent.outputs[0], "Tangent")
@@ -160,7 +137,7 @@ def mug():
 
 def blister():
     """A toy's ball under a hood of thin clear plastic, on a card."""
-    nodes = Nodes("clear plastic", (1.0, 1.0, 1.0), Roughness=0.06)
+    nodes = shading.Nodes("clear plastic", (1.0, 1.0, 1.0), Roughness=0.06)
     clear = nodes.add("BsdfTransparent", Color=(0.93, 0.96, 0.97, 1.0))
     gloss = nodes.add("BsdfGlossy", Roughness=0.06)
     facing, mix = nodes.add("Fresnel", IOR=1.5), nodes.add("MixShader")
@@ -178,35 +155,62 @@ def blister():
 
 def head():
     """A monkey's head of skin, with pores by object coordinates."""
-    nodes = Nodes("skin", (0.75, 0.42, 0.32), Roughness=0.45, Subsurface_Weight=1.0,
-                  Subsurface_Radius=(0.012, 0.005, 0.003))  # fmt: skip
+    nodes = shading.Nodes(
+        "skin",
+        (0.75, 0.42, 0.32),
+        Roughness=0.45,
+        Subsurface_Weight=1.0,
+        Subsurface_Radius=(0.012, 0.005, 0.003),
+    )
     nodes.shader.inputs["Subsurface Scale"].default_value = 1.0
-    pores = nodes.texture("Noise", "Object", Scale=220.0, Detail=2.0)
-    nodes.bump(pores.outputs[0], 0.0012)
-    blotches = nodes.texture("Noise", "Object", Scale=25.0, Detail=2.0)
-    nodes.link(nodes.ramp(blotches.outputs[0], (0.35, (0.62, 0.28, 0.2)), (0.65, (0.8, 0.5, 0.4))),
-               "Base Color")  # fmt: skip
+    pores = nodes.placed(nodes.add("TexNoise", Scale=220.0, Detail=2.0))
+    nodes.bump(pores.outputs[0], Distance=0.0012)
+    blotches = nodes.placed(nodes.add("TexNoise", Scale=25.0, Detail=2.0))
+    nodes.link(
+        nodes.ramp(blotches.outputs[0], (0.35, (0.62, 0.28, 0.2)), (0.65, (0.8, 0.5, 0.4))),
+        "Base Color",
+    )
     item = primitive("monkey", nodes.material, size=0.18)
     modifier(item, "SUBSURF", levels=2, render_levels=2)
 
 
 def curtain():
     """A curtain of velvet, in folds of a Wave modifier."""
-    velvet = shading.principled("velvet", (0.10, 0.008, 0.03), Roughness=0.9, Sheen_Weight=1.0,
-                                Sheen_Roughness=0.35, Specular_IOR_Level=0.1)  # fmt: skip
-    item = primitive("grid", velvet, x_subdivisions=120, y_subdivisions=40, size=0.6,
-                     turn=(0.5 * math.pi, 0, 0))  # fmt: skip
-    modifier(item, "WAVE", use_y=False, height=0.035, width=0.04, narrowness=25.0, speed=0.0,
-             time_offset=-400.0)  # fmt: skip
+    velvet = shading.principled(
+        "velvet",
+        (0.10, 0.008, 0.03),
+        Roughness=0.9,
+        Sheen_Weight=1.0,
+        Sheen_Roughness=0.35,
+        Specular_IOR_Level=0.1,
+    )
+    item = primitive(
+        "grid", velvet, x_subdivisions=120, y_subdivisions=40, size=0.6, turn=(0.5 * math.pi, 0, 0)
+    )
+    modifier(
+        item,
+        "WAVE",
+        use_y=False,
+        height=0.035,
+        width=0.04,
+        narrowness=25.0,
+        speed=0.0,
+        time_offset=-400.0,
+    )
     modifier(item, "SIMPLE_DEFORM", deform_method="TAPER", deform_axis="Y", factor=0.4)
     modifier(item, "SOLIDIFY", thickness=0.004)
 
 
 def letters():
     """Letters of wax: a text object."""
-    wax = shading.principled("wax", (0.8, 0.5, 0.22), Roughness=0.4, Subsurface_Weight=1.0,
-                             Subsurface_Radius=(0.02, 0.009, 0.004),
-                             Subsurface_Scale=1.0)  # fmt: skip
+    wax = shading.principled(
+        "wax",
+        (0.8, 0.5, 0.22),
+        Roughness=0.4,
+        Subsurface_Weight=1.0,
+        Subsurface_Radius=(0.02, 0.009, 0.004),
+        Subsurface_Scale=1.0,
+    )
     text = bpy.data.curves.new("letters", "FONT")
     text.body, text.size, text.extrude = "Wax", 0.12, 0.02
     text.bevel_depth, text.bevel_resolution, text.resolution_u = 0.004, 3, 8
@@ -218,9 +222,15 @@ def letters():
 
 def bonnet():
     """A bonnet of car paint: flakes of 1.5 mm whose normals differ, under a clear coat."""
-    nodes = Nodes("car paint", (0.02, 0.10, 0.30), Metallic=0.85, Roughness=0.3, Coat_Weight=1.0,
-                  Coat_Roughness=0.03)  # fmt: skip
-    flakes = nodes.texture("Voronoi", "Object", Scale=650.0)
+    nodes = shading.Nodes(
+        "car paint",
+        (0.02, 0.10, 0.30),
+        Metallic=0.85,
+        Roughness=0.3,
+        Coat_Weight=1.0,
+        Coat_Roughness=0.03,
+    )
+    flakes = nodes.placed(nodes.add("TexVoronoi", Scale=650.0))
     lean = nodes.add("VectorMath")
     lean.operation = "SUBTRACT"
     nodes.link(flakes.outputs["Color"], lean.inputs[0])
@@ -243,25 +253,30 @@ def bonnet():
 
 def board():
     """A board of wood with a hole, rings and pores by object coordinates, under varnish."""
-    nodes = Nodes("wood", None, Roughness=0.5, Coat_Weight=0.6, Coat_Roughness=0.2)
-    rings = nodes.texture("Wave", "Object", scale=(6.0, 45.0, 45.0), Scale=1.0, Distortion=6.0,
-                          Detail=2.0)  # fmt: skip
+    nodes = shading.Nodes("wood", None, Roughness=0.5, Coat_Weight=0.6, Coat_Roughness=0.2)
+    rings = nodes.placed(
+        nodes.add("TexWave", Scale=1.0, Distortion=6.0, Detail=2.0),
+        "Object",
+        scale=(6.0, 45.0, 45.0),
+    )
     rings.wave_type = "RINGS"
     rings.rings_direction = "X"
-    fibres = nodes.texture("Noise", "Object", scale=(30.0, 700.0, 700.0), Scale=1.0, Detail=2.0)
-    colour = nodes.ramp(
-        rings.outputs["Fac"], (0.1, (0.15, 0.06, 0.02)), (0.9, (0.42, 0.22, 0.09))
+    fibres = nodes.placed(
+        nodes.add("TexNoise", Scale=1.0, Detail=2.0), "Object", scale=(30.0, 700.0, 700.0)
     )
+    colour = nodes.ramp(rings.outputs["Fac"], (0.1, (0.15, 0.06, 0.02)), (0.9, (0.42, 0.22, 0.09)))
     dark = nodes.add("MixRGB", Fac=1.0)
     dark.blend_type = "MULTIPLY"
     nodes.link(colour, dark.inputs["Color1"])
-    nodes.link(nodes.ramp(fibres.outputs[0], (0.3, (0.55,) * 3), (0.6, (1.0,) * 3)),
-               dark.inputs["Color2"])  # fmt: skip
+    nodes.link(
+        nodes.ramp(fibres.outputs[0], (0.3, (0.55,) * 3), (0.6, (1.0,) * 3)), dark.inputs["Color2"]
+    )
     nodes.link(dark.outputs[0], "Base Color")
     item = primitive("cube", nodes.material, size=1.0, scale=(0.3, 0.18, 0.02))
     item.data.shade_flat()
-    cut = primitive("cylinder", nodes.material, at=(0.11, 0.0, 0.0), vertices=48, radius=0.018,
-                    depth=0.1)  # fmt: skip
+    cut = primitive(
+        "cylinder", nodes.material, at=(0.11, 0.0, 0.0), vertices=48, radius=0.018, depth=0.1
+    )
     cut.hide_render = cut.hide_viewport = True
     modifier(item, "BOOLEAN", operation="DIFFERENCE", object=cut, solver="EXACT")
     rounded(item, 0.004)
@@ -275,18 +290,17 @@ def lace():
     flower = np.abs(r - 0.55 - 0.18 * np.cos(6.0 * turn)) < 0.09
     solid = (flower | (r < 0.16) | (np.abs(x) > 0.9) | (np.abs(y) > 0.9)).astype(float)
     pixels = np.concatenate([np.tile([0.93, 0.91, 0.86], (side, side, 1)), solid[..., None]], 2)
-    nodes = Nodes("lace", None, Roughness=0.9, Sheen_Weight=0.3)
+    nodes = shading.Nodes("lace", None, Roughness=0.9, Sheen_Weight=0.3)
     cut = shading.add_image(nodes.material, shading.image("lace", pixels))
-    mapping = nodes.add("Mapping", Scale=(12.0, 20.0, 1.0))
-    nodes.link(nodes.add("TexCoord").outputs["UV"], mapping.inputs["Vector"])
-    nodes.link(mapping.outputs["Vector"], cut.inputs["Vector"])
+    nodes.placed(cut, "UV", scale=(12.0, 20.0, 1.0))
     nodes.link(cut.outputs["Color"], "Base Color")
     nodes.link(cut.outputs["Alpha"], "Alpha")
     s = np.linspace(-0.15, 0.15, 61)
     bend = 0.02
     y = np.where(np.abs(s) < bend * math.pi / 2, bend * np.sin(s / bend), bend * np.sign(s))
-    z = np.where(np.abs(s) < bend * math.pi / 2, bend * np.cos(s / bend),
-                 bend * math.pi / 2 - np.abs(s))  # fmt: skip
+    z = np.where(
+        np.abs(s) < bend * math.pi / 2, bend * np.cos(s / bend), bend * math.pi / 2 - np.abs(s)
+    )
     x = np.linspace(-0.09, 0.09, 61)
     fall = np.clip(-z, 0.0, 1.0)[:, None]
     y = y[:, None] + 0.1 * fall * np.sin(70.0 * x)[None] * 0.6

@@ -26,7 +26,8 @@ from tests.exporters.conftest import OpenWorker
 from tests.exporters.in_blender import answer_of
 from tests.exporters.scenes import fur, write_scene
 
-RECIPE = REPOSITORY / "examples" / "recipes" / "materials.py"
+RECIPES = REPOSITORY / "examples" / "recipes"
+RECIPE = RECIPES / "materials.py"
 TEXEL = 0.4e-3
 
 VERDICTS = {
@@ -73,6 +74,22 @@ def test_ten_materials_in_one_scene(open_worker: OpenWorker, tmp_path: Path) -> 
     ball = written(opened.exported.glass, tmp_path)
     assert ball.materials[0].inside == Inside(1.5, (0.0, 0.0, 0.0))
     assert np.ptp(ball.positions, axis=0) == pytest.approx(0.1, rel=1e-3)
+
+
+@pytest.mark.blender
+@pytest.mark.parametrize("thing", ["leaf", "bark", "knit", "leather"])
+def test_reliefs_over_uvs_are_mapped(open_worker: OpenWorker, thing: str) -> None:
+    opened = OpenedSource.of(open_worker(RECIPES / "relief.py", thing), {}, "x", None)
+    assert opened.exported.mapped == (thing,)
+    (verdict,) = (each for each in opened.materials if each.name == thing)
+    assert verdict.learnt == "well" and "relief by" in verdict.is_
+
+
+@pytest.mark.blender
+def test_a_pane_that_mirrors_is_no_metal(open_worker: OpenWorker) -> None:
+    opened = OpenedSource.of(open_worker(RECIPES / "things.py", "blister"), {}, "x", None)
+    (pane,) = (each for each in opened.materials if each.name == "clear plastic")
+    assert pane.is_ == "glossy, holes or thin panes"
 
 
 def written(glb: bytes | None, folder: Path) -> MeshObject:

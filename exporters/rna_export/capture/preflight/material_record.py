@@ -12,6 +12,7 @@ Kind = Literal[
     "opaque",
     "coat",
     "metal",
+    "glossy",
     "brushed",
     "velvet",
     "scattering",
