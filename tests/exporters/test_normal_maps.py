@@ -64,6 +64,7 @@ SECOND_UV_MAP = (
 # The map leans both ways, lies on a UV map that renders do not use, and is stretched twofold.
 lean = [((x + 1) / 2, (y + 1) / 2, (z + 1) / 2, 1.0), ((1 - x) / 2, (y + 1) / 2, (z + 1) / 2, 1.0)]
 image.pixels.foreach_set([value for k in range(256) for value in lean[k % 16 >= 8]])
+image.pack()
 for item in bpy.context.scene.objects:
     other = item.data.uv_layers.new(name="Other")
     other.uv.foreach_set("vector", [0.1, 0.9, 0.1, 0.1, 0.9, 0.1, 0.9, 0.9])
@@ -105,12 +106,21 @@ def normal_maps(worker: BlenderWorker) -> tuple[dict[str, np.ndarray], list[str]
 
 def test_the_map_is_that_of_the_texture(open_worker: OpenWorker) -> None:
     maps, notes = normal_maps(open_worker(SQUARES))
-    assert list(maps) == ["cloth"]
-    stored = "stored as 8 x 8: finer relief blurs (--normal-texels)"
-    assert notes == [f"material 'cloth' has a normal map of 16 x 16 texels, {stored}"]
+    assert list(maps) == ["cloth"] and notes == []  # it blurs nothing
     assert maps["cloth"].shape == (8, 8, 2)
     expected = 127.0 + 127.0 * np.array(LEAN)
     assert np.abs(maps["cloth"].astype(float) - expected).max() <= 1.0
+
+
+def test_relief_that_fewer_texels_blur_is_told(open_worker: OpenWorker) -> None:
+    stripes = """
+image.pixels.foreach_set([v for k in range(256) for v in ((k % 3 + 1) / 4, 0.5, 0.9, 1.0)])
+image.pack()
+"""
+    maps, notes = normal_maps(open_worker(SQUARES + stripes))
+    assert list(maps) == ["cloth"]
+    stored = "stored as 8 x 8: finer relief blurs (--normal-texels)"
+    assert notes[0] == f"material 'cloth' has a normal map of 16 x 16 texels, {stored}"
 
 
 @pytest.mark.parametrize("scene", [SQUARES, SECOND_UV_MAP, IN_A_GROUP], ids=["", "uv", "group"])

@@ -31,6 +31,7 @@ from rna_materials.uv_render import ColourOfUv
 _NOTED, _WRONG = 0.01, 0.1  # mean errors of holes: noted, and of no use
 _WRONG_NORMAL = 0.03  # mean error of a normal's x and y, or as
 _OF_RELIEF = 0.25  # a share of their mean
+_BLUR = 0.01  # more error of a map of fewer texels, that is noted
 _KEPT = 0.5  # of the relief's spread, at least, in a map of fewer texels
 _SHARP = 0.025  # error of a sharp outline where Cycles has one as wide as a texel
 
@@ -234,7 +235,8 @@ def _add_normals(surface: Surface, textures: _Textures, side: int) -> None:
         raise NotOfUv("nodes whose values do not repeat, or are too fine")
     height, width = fit.texture.shape[:2]
     xy = normal_maps.reduced(fit.texture, side)
-    if xy.shape[:2] != (height, width):
+    off = float(np.abs(looked_up(xy, fit.chart, points.uvs) - truth).mean())
+    if off > fit.error + _BLUR:
         textures.notes.append(
             f"has a normal map of {width} x {height} texels, stored as {xy.shape[1]} x "
             f"{xy.shape[0]}: finer relief blurs (--normal-texels)"
