@@ -259,6 +259,20 @@ tree.links.new(cells.outputs["Distance"], node.inputs["Height"])
     assert list(textures.normals) == ["leather"] and textures.obstacles == {}
 
 
+def test_caps_of_another_scale_do_not_keep_a_cylinder_from_its_map(
+    open_worker: OpenWorker,
+) -> None:
+    """A third of the area has a unit of u that is a third shorter."""
+    drum = """
+bpy.data.objects.remove(item)
+bpy.ops.mesh.primitive_cylinder_add()
+bpy.context.object.data.materials.append(material)
+bump(Distance=0.06)
+"""
+    textures = open_worker(BUMP + drum).export_textures(1024)
+    assert list(textures.normals) == ["leather"] and textures.obstacles == {}
+
+
 def test_relief_that_no_map_can_have_is_told(open_worker: OpenWorker) -> None:
     bump = """
 bump = tree.nodes.new("ShaderNodeBump")
