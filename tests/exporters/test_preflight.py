@@ -269,6 +269,15 @@ def test_what_keeps_a_detail_from_being_a_texture_is_named() -> None:
     assert "the node 'Object Info' keeps it from being an image: bake it" in colour
 
 
+@pytest.mark.blender
+def test_maps_that_are_switched_off_are_named_as_the_obstacle(open_worker: OpenWorker) -> None:
+    worker = open_worker(RECIPES / "relief.py", "knit")
+    opened = OpenedSource.of(worker, {"normal_texels": 0}, "x", None)
+    (knit,) = opened.materials
+    limit = "the limit of 0 texels (--normal-texels) keeps it from being a normal map: raise it, "
+    assert (knit.learnt, knit.loses) == ("not", "relief") and limit in knit.reasons[0]
+
+
 @pytest.mark.parametrize(("share", "promised"), [(0.02, True), (0.3, False)])
 def test_a_small_part_of_what_is_seen_withholds_no_gain(share: float, promised: bool) -> None:
     glass = facts(kinds=["glass"])

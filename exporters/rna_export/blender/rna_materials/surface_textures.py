@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import bpy
 import numpy as np
 from rna_materials import normal_maps
 from rna_materials.relief import ReliefOfUv
@@ -74,7 +75,7 @@ def export_textures(path: str, side: int) -> dict[str, Any]:
     normals: list[str] = []
     stored, notes, captured, learnt = {}, [], False, side == 0
     textures: dict[str, Any] = {}
-    obstacles: dict[str, str] = {}
+    obstacles = {} if side else {each.name_full: _limit(0) for each in bpy.data.materials}
     copies = Copies()
     try:
         surfaces = list(shown_surfaces(copies, Path(path).parent, side > 0))
@@ -106,6 +107,10 @@ def export_textures(path: str, side: int) -> dict[str, Any]:
     all_textures = {"holes": holes, "normals": normals, "charts": stored}
     others = {"captured": captured, "learnt": learnt, "obstacles": obstacles, "notes": notes}
     return {**all_textures, **others}
+
+
+def _limit(side: int) -> str:
+    return f"the limit of {side} texels (--normal-texels)"
 
 
 def _textures_of(surface: Surface, side: int) -> _Textures:
@@ -242,7 +247,7 @@ def _add_normals(surface: Surface, textures: _Textures, side: int) -> None:
             f"{xy.shape[0]}: finer relief blurs (--normal-texels)"
         )
     if xy.std() < _KEPT * fit.texture.std():
-        textures.obstacle = f"the limit of {side} texels (--normal-texels)"
+        textures.obstacle = _limit(side)
     fit.texture = np.round(127.0 + 127.0 * np.clip(xy, -1.0, 1.0)).astype(np.uint8)
     textures.normals = fit
 
