@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from rna_render.materials.files.gltf_file import read_gltf
@@ -28,13 +29,16 @@ class MeshFileWarning(UserWarning):
     """Something in a mesh file changes its look and is not shown."""
 
 
-def read_mesh_object(path: Path, material: MaterialModel | None = None) -> MeshObject:
+def read_mesh_object(
+    path: Path, material: MaterialModel | None = None, fallbacks: bool = True
+) -> MeshObject:
     """A .glb, .gltf, .obj or .ply file as one mesh, in the file's own space.
 
     Nodes of glTF are baked, without lights, cameras and animation; coordinates of OBJ and PLY
     are taken as they are, with +Y up. Parts without normals get flat ones.
 
-    material: what the whole mesh is made of; the file's own materials if None.
+    material: what the whole mesh is made of; the file's own materials if None. fallbacks: of a
+    .glb with packages, whether their fallbacks are part of the mesh.
 
     Warns once (MeshFileWarning) with all that the file says of its look and is not shown, such
     as volumes or vertex colours. Raises SceneError, which names the file: it is not there,
@@ -45,6 +49,8 @@ def read_mesh_object(path: Path, material: MaterialModel | None = None) -> MeshO
     if reader is None:
         known = ", ".join(_READERS)
         raise SceneError(f"expected a file that ends with one of {known}", file=path)
+    if reader is read_gltf and not fallbacks:
+        reader = partial(read_gltf, fallbacks=False)
     override = None if material is None else [make_material(material)]
     file, mesh = _read(reader, path, override, isinstance(material, ShadowCatcherModel))
     if file.left_out:
