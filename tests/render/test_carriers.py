@@ -21,7 +21,7 @@ from rna_render.world.scene_sources import check_files
 from rna_sdk.errors import SceneError
 from tests.package.carriers import Document, changed, make_carrier, opened, written
 from tests.render.assets import merged, sphere
-from tests.render.packages import write_lambert_package
+from tests.render.packages import write_lambert_package, write_lamp_package
 
 Change = Callable[[Document, bytearray], object]
 
@@ -279,3 +279,29 @@ def test_the_fallback_is_shown_as_an_object(carrier: Path) -> None:
     scene = _scene(carrier.with_name("scene.yaml"), [], objects=[{"path": "ball.glb"}])
     with pytest.warns(MeshFileWarning, match=r"not shown: .*RNA_relightable_asset"):
         load_world(read_scene(scene))
+
+
+@pytest.mark.filterwarnings("ignore:.*not shown. RNA_relightable_asset")
+@pytest.mark.parametrize("glow", [(6.0, 2.0, 0.5), (0.3, 0.4, 0.5)], ids=["strong", "weak"])
+def test_the_fallback_shines_as_the_asset(glow: tuple[float, float, float], tmp_path: Path) -> None:
+    """In the dark, from above, where no pane is before the bulb; each channel within 2%."""
+    package = write_lamp_package(tmp_path / "lamp.rna", glow, np.full(3, 128, np.uint8))
+    carrier = make_carrier(package, tmp_path / "lamp.glb")
+    document, _ = opened(carrier)
+    strengths = [
+        material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"]
+        for material in document["materials"]
+        if "extensions" in material
+    ]
+    assert strengths == ([pytest.approx(6.0)] if glow[0] > 1 else [])
+    pictures = []
+    for kind in ("assets", "objects"):
+        scene = _scene(tmp_path / f"{kind}.yaml", [])
+        values = json.loads(scene.read_text()) | {kind: [{"path": "lamp.glb"}], "lights": []}
+        values["camera"] = {"position": [0.01, 1.5, 0], "look_at": [0, 0, 0]}
+        scene.write_text(json.dumps({**values, "samples": 16, "max_depth": 1}))
+        channels = _rendered(scene)
+        pictures.append(np.stack([channels[name] for name in "RGB"], axis=-1))
+    bulb = pictures[0].max(axis=2) > 0.99 * max(glow)
+    assert bulb.sum() > 5
+    np.testing.assert_allclose(pictures[1][bulb], pictures[0][bulb], rtol=0.02)
