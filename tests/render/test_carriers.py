@@ -233,6 +233,11 @@ BROKEN: dict[str, tuple[Callable[[Document], object], str]] = {
     "in no scene": (lambda d: d["scenes"][0].update(nodes=[]), "no node of its scene carries"),
     "a ring of nodes": (lambda d: d["nodes"][0].update(children=[0]), ""),
     "children of text": (lambda d: d["scenes"][0].update(nodes="ab"), "cannot be read as .glb"),
+    "a matrix of a camera": (
+        lambda d: d["nodes"][-1].update(matrix=[1, 0, 0, 0.5, *np.eye(4)[1:].ravel()]),
+        "a node's matrix ends with .0.5, 0.0, 0.0, 1.0.; expected",
+    ),
+    "a matrix of two": (lambda d: d["nodes"][-1].update(matrix=[1, 0]), "cannot reshape array"),
     "endless transform": (
         lambda d: d["nodes"][-1].update(translation=[1e30, 0, 0]),
         "transform has numbers that are not at most 1e[+]18",

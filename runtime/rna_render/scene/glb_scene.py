@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rna_render.scene.gltf_container import GltfContainer, open_gltf
+from rna_render.scene.gltf_container import GltfContainer, open_gltf, reason_of
 from rna_render.scene.gltf_nodes import PlacedNode, placed_nodes
 from rna_render.scene.scene_model import AssetModel, ObjectModel
 from rna_render.scene.transforms import as_transform, world_from_object
@@ -48,8 +48,7 @@ def read_glb_scene(path: Path) -> GlbScene:
             else:
                 beside += _boxes(container, placed)
     except Exception as error:  # whatever a broken file makes Python raise
-        said = " ".join(f"{type(error).__name__}: {error}".split())[:200]
-        raise SceneError(f"it cannot be read as .glb: {said}", file=path) from error
+        raise SceneError(f"it cannot be read as .glb: {reason_of(error)}", file=path) from error
     if len(packages) == 1:
         raise SceneError("no node of its scene carries the package", file=path)
     return GlbScene(np.concatenate(packages), np.concatenate(beside))

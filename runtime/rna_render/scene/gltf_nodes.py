@@ -14,6 +14,7 @@ from rna_render.scene.transforms import quaternion_rotation
 INSTANCING = "EXT_mesh_gpu_instancing"
 PACKAGE = "RNA_relightable_asset"
 
+_ROUNDING = 1e-6
 _MEMBERS = {"TRANSLATION": "translation", "ROTATION": "rotation", "SCALE": "scale"}
 
 
@@ -62,7 +63,10 @@ def roots(document: dict[str, Any], nodes: list[dict[str, Any]]) -> list[int]:
 def local_matrix(node: dict[str, Any]) -> np.ndarray:
     """Section 3.5.3: a column-major matrix, or translation * rotation * scale."""
     if "matrix" in node:
-        return _finite(np.array(node["matrix"], np.float64).reshape(4, 4).T)
+        matrix = np.array(node["matrix"], np.float64).reshape(4, 4).T
+        if np.abs(matrix[3] - (0, 0, 0, 1)).max() > _ROUNDING:
+            raise ValueError(f"a node's matrix ends with {matrix[3].tolist()}; expected 0, 0, 0, 1")
+        return _finite(matrix)
     rotation = quaternion_rotation(node.get("rotation", (0.0, 0.0, 0.0, 1.0)))
     matrix = np.eye(4)
     matrix[:3, :3] = rotation * np.array(node.get("scale", (1, 1, 1)), np.float64)

@@ -180,7 +180,7 @@ def test_instances(page, name, package):
 
 
 def test_joints_below_a_package_move_other_meshes(page):
-    """A node with a package may be a bone, and bones may be below it; their meshes are not shown."""
+    """A node with a package may be a bone, and bones may be below it, without their meshes."""
     actual = run(
         page,
         """

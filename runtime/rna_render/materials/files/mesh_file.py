@@ -13,6 +13,7 @@ from rna_render.materials.files.obj_file import read_obj
 from rna_render.materials.files.ply_file import read_ply
 from rna_render.materials.material import Material, make_material
 from rna_render.materials.mesh_object import MeshObject
+from rna_render.scene.gltf_container import reason_of
 from rna_render.scene.material_models import MaterialModel, ShadowCatcherModel
 from rna_sdk.errors import SceneError
 from rna_sdk.files.regular_file import check_regular
@@ -78,7 +79,4 @@ def _read(
         raise SceneError(error.strerror or str(error), file=path) from error
     except Exception as error:  # whatever a broken file makes trimesh or json raise
         kind = path.suffix.lower()
-        said = " ".join(str(error).split())[:200]
-        if not isinstance(error, ValueError) or not said:
-            said = f"{type(error).__name__} {said}".strip()
-        raise SceneError(f"it cannot be read as {kind}: {said}", file=path) from error
+        raise SceneError(f"it cannot be read as {kind}: {reason_of(error)}", file=path) from error
