@@ -18,6 +18,7 @@ from rna_sdk.runtime import Asset, Transform
 from rna_trace.embree.instances import ALL_RAYS, CAMERA_RAY, NO_INSTANCE, Instance, InstanceScene
 from rna_trace.embree.tracing import ClosestHits
 from rna_trace.hit_points import Frames, Lines, stepped
+from rna_trace.parts_scene import PartsScene
 from rna_trace.points import Body, Points, Role
 
 
@@ -230,6 +231,11 @@ class World:
             return points
         linear, translation = self._matrices[:, :3, :3], self._matrices[:, :3, 3]
         return _transformed(linear, translation, instance, points)
+
+    def sides(self, instance: int) -> list[int]:
+        """Of the parts of an instance, see `PartsScene.sides`; empty of what is no asset."""
+        scene = self._bodies[self._order.body[instance]].scene
+        return scene.sides.tolist() if isinstance(scene, PartsScene) else []
 
     @property
     def assets(self) -> list[Asset]:
