@@ -233,7 +233,7 @@ class World:
         return _transformed(linear, translation, instance, points)
 
     def sides(self, instance: int) -> list[int]:
-        """Of the parts of an instance, see `PartsScene.sides`; empty of what is no asset."""
+        """`PartsScene.sides` of the parts of an instance; empty where it is no asset."""
         scene = self._bodies[self._order.body[instance]].scene
         return scene.sides.tolist() if isinstance(scene, PartsScene) else []
 
