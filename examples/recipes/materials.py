@@ -17,45 +17,14 @@ FOOT = [(0.0, -0.056), (0.034, -0.056), (0.036, -0.054), (0.036, -0.05), (0.026,
 APART = 0.13
 
 
-class Nodes:
-    """The nodes of a material with a Principled BSDF."""
-
-    def __init__(self, name, base, **values):
-        self.material = shading.principled(name, base, **values)
-        self.tree = self.material.node_tree
-        self.shader = self.tree.nodes["Principled BSDF"]
-
-    def add(self, kind, label=None, **values):
-        node = self.tree.nodes.new(f"ShaderNode{kind}")
-        node.label = label or ""
-        for name, value in values.items():
-            node.inputs[name].default_value = value
-        return node
-
-    def link(self, output, socket):
-        self.tree.links.new(output, self.shader.inputs[socket] if socket in self.shader.inputs
-                            else socket)  # fmt: skip
-
-    def placed(self, texture, output="Object", scale=None):
-        """Give a texture node the coordinates of an output."""
-        coordinates = self.add("TexCoord")
-        source = coordinates.outputs[output]
-        if scale is not None:
-            mapping = self.add("Mapping", Scale=scale)
-            self.tree.links.new(source, mapping.inputs["Vector"])
-            source = mapping.outputs["Vector"]
-        self.tree.links.new(source, texture.inputs["Vector"])
-        return texture
-
-
 def paint():
     """Car paint: a metallic base whose flakes tilt the normal, under a clear coat."""
-    nodes = Nodes("paint", (0.25, 0.01, 0.015), Metallic=0.8, Roughness=0.35, Coat_Weight=1.0)
+    nodes = shading.Nodes(
+        "paint", (0.25, 0.01, 0.015), Metallic=0.8, Roughness=0.35, Coat_Weight=1.0
+    )
     nodes.shader.inputs["Coat Roughness"].default_value = 0.03
     flakes = nodes.placed(nodes.add("TexVoronoi", "Flakes", Scale=3000.0))
-    bump = nodes.add("Bump", Strength=0.4, Distance=0.0002)
-    nodes.tree.links.new(flakes.outputs["Distance"], bump.inputs["Height"])
-    nodes.link(bump.outputs["Normal"], "Normal")
+    nodes.bump(flakes.outputs["Distance"], Strength=0.4, Distance=0.0002)
     return nodes.material
 
 
@@ -76,7 +45,7 @@ def velvet():
 
 def leaf():
     """A thin leaf: half of the light goes through, and holes are cut out by an image."""
-    nodes = Nodes("leaf", (0.1, 0.3, 0.03), Roughness=0.5)
+    nodes = shading.Nodes("leaf", (0.1, 0.3, 0.03), Roughness=0.5)
     thin = nodes.add("BsdfTranslucent", Color=(0.2, 0.5, 0.04, 1.0))
     mix = nodes.add("MixShader")
     nodes.tree.links.new(nodes.shader.outputs[0], mix.inputs[1])
@@ -97,7 +66,9 @@ def leaf():
 
 def brushed():
     """Steel, brushed around: grain of a tenth of a millimetre in the roughness."""
-    nodes = Nodes("brushed", (0.6, 0.58, 0.55), Metallic=1.0, Roughness=0.3, Anisotropic=0.8)
+    nodes = shading.Nodes(
+        "brushed", (0.6, 0.58, 0.55), Metallic=1.0, Roughness=0.3, Anisotropic=0.8
+    )
     grain = nodes.add("TexNoise", "Grain", Scale=1.0, Detail=2.0)
     nodes.placed(grain, scale=(100.0, 100.0, 5000.0))
     spread = nodes.add("MapRange")
@@ -108,21 +79,17 @@ def brushed():
 
 
 def marble():
-    nodes = Nodes("marble", None, Roughness=0.2, Subsurface_Weight=0.3,
+    nodes = shading.Nodes("marble", None, Roughness=0.2, Subsurface_Weight=0.3,
                   Subsurface_Radius=(0.004, 0.003, 0.002))  # fmt: skip
     veins = nodes.placed(nodes.add("TexNoise", "Veins", Scale=25.0, Detail=4.0, Distortion=2.0))
-    ramp = nodes.add("ValToRGB")
-    ramp.color_ramp.elements[0].position, ramp.color_ramp.elements[1].position = 0.42, 0.52
-    ramp.color_ramp.elements[0].color = (0.12, 0.12, 0.15, 1.0)
-    ramp.color_ramp.elements[1].color = (0.85, 0.83, 0.8, 1.0)
-    nodes.tree.links.new(veins.outputs[0], ramp.inputs[0])
-    nodes.link(ramp.outputs[0], "Base Color")
+    colour = nodes.ramp(veins.outputs[0], (0.42, (0.12, 0.12, 0.15)), (0.52, (0.85, 0.83, 0.8)))
+    nodes.link(colour, "Base Color")
     return nodes.material
 
 
 def volume():
     """A cloud: a volume without a surface."""
-    nodes = Nodes("volume", None)
+    nodes = shading.Nodes("volume", None)
     output = nodes.tree.nodes["Material Output"]
     nodes.tree.nodes.remove(nodes.shader)
     cloud = nodes.add("VolumePrincipled", Density=60.0)

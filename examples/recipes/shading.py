@@ -43,6 +43,59 @@ def add_image(material, pixels):
     return node
 
 
+class Nodes:
+    """The nodes of a material with a Principled BSDF."""
+
+    def __init__(self, name, base=None, **values):
+        self.material = principled(name, base, **values)
+        self.tree = self.material.node_tree
+        self.shader = self.tree.nodes["Principled BSDF"]
+
+    def add(self, kind, label=None, **values):
+        """A node ShaderNode`kind`; values by socket name, "_" for a space."""
+        node = self.tree.nodes.new(f"ShaderNode{kind}")
+        node.label = label or ""
+        for name, value in values.items():
+            node.inputs[name.replace("_", " ")].default_value = value
+        return node
+
+    def link(self, output, socket):
+        """socket: of a node, or the name of one of the Principled BSDF."""
+        named = isinstance(socket, str)
+        self.tree.links.new(output, self.shader.inputs[socket] if named else socket)
+
+    def coordinates(self, output, scale=None):
+        """An output of Texture Coordinate, stretched."""
+        source = self.add("TexCoord").outputs[output]
+        if scale is None:
+            return source
+        mapping = self.add("Mapping", Scale=scale)
+        self.link(source, mapping.inputs["Vector"])
+        return mapping.outputs["Vector"]
+
+    def placed(self, texture, output="Object", scale=None):
+        """A texture node, with these coordinates."""
+        self.link(self.coordinates(output, scale), texture.inputs["Vector"])
+        return texture
+
+    def ramp(self, value, *stops):
+        """The colours of a ramp of (position, linear RGB)."""
+        node = self.add("ValToRGB")
+        while len(node.color_ramp.elements) < len(stops):
+            node.color_ramp.elements.new(1.0)
+        for element, (position, colour) in zip(node.color_ramp.elements, stops, strict=True):
+            element.position, element.color = position, (*colour, 1.0)
+        self.link(value, node.inputs[0])
+        return node.outputs["Color"]
+
+    def bump(self, height, **values):
+        """A Bump node for the Principled BSDF; values: of its inputs."""
+        node = self.add("Bump", **values)
+        self.link(height, node.inputs["Height"])
+        self.link(node.outputs["Normal"], "Normal")
+        return node
+
+
 def mix(material, factor, first, second):
     """A Mix Shader: `second` where the factor, a socket or a number, is 1. Returns its output."""
     tree = material.node_tree

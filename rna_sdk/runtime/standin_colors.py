@@ -1,4 +1,4 @@
-"""Colours of an asset for plain materials: its reflectance under light from the side."""
+"""Colours of an asset for plain materials: reflectance under light from the side, and emission."""
 
 from typing import Any
 
@@ -16,6 +16,14 @@ Array = NDArray[np.float32]
 
 
 def surface_colors(part: SurfaceAsset) -> Array:
+    """Albedo and clipped emission at the vertices of its mesh: (v, 3) float32."""
+    colors = surface_albedo(part)
+    if part.emits:
+        colors += np.minimum(surface_emission(part), 1.0)
+    return colors
+
+
+def surface_albedo(part: SurfaceAsset) -> Array:
     """Albedo at the vertices of its mesh, as far as one direction tells: (v, 3) float32.
 
     Of base colour, the mean about each vertex.
@@ -24,10 +32,12 @@ def surface_colors(part: SurfaceAsset) -> Array:
     wi = _unit(normals + _across(normals))  # at 45 degrees, so that nothing is mirrored to the eye
     base_color = vertex_base_colors(part)
     visible, _ = part.evaluate(positions, normals, normals, wi, base_color)
-    colors = _as_albedo(visible, np.sqrt(0.5))
-    if part.emits:
-        colors += np.clip(part.emission(positions, normals, normals), 0.0, 1.0)
-    return colors
+    return _as_albedo(visible, np.sqrt(0.5))
+
+
+def surface_emission(part: SurfaceAsset) -> Array:
+    """Radiance that the vertices of its mesh send along their normals: (v, 3) float32."""
+    return part.emission(part.mesh.positions, part.mesh.normals, part.mesh.normals)
 
 
 def vertex_base_colors(part: SurfaceAsset) -> Array | None:
@@ -41,11 +51,7 @@ def fiber_colors(part: FiberAsset, curves: Curves) -> Array:
     Brightened, as an engine that knows no hair shades strands by their colour alone, without the
     light that goes on from strand to strand.
     """
-    tangents = np.gradient(curves.points, axis=0)
-    ends = curves.offsets.astype(np.int64)
-    tangents[ends[:-1]] = curves.points[ends[:-1] + 1] - curves.points[ends[:-1]]
-    tangents[ends[1:] - 1] = curves.points[ends[1:] - 1] - curves.points[ends[1:] - 2]
-    t = _unit(tangents)
+    t = _tangents(curves)
     wo = _across(t)
     wi = _unit(wo + np.cross(t, wo))
     h = np.zeros(len(t), np.float32)
@@ -53,8 +59,23 @@ def fiber_colors(part: FiberAsset, curves: Curves) -> Array:
     bright = max(float(np.percentile(visible, 95)), 1e-6)
     colors = _as_albedo(visible * (_BRIGHT / (np.pi * bright)), 1.0)
     if part.emits:
-        colors += np.clip(part.emission(curves.points, t, h, wo), 0.0, 1.0)
+        colors += np.minimum(fiber_emission(part, curves), 1.0)
     return colors
+
+
+def fiber_emission(part: FiberAsset, curves: Curves) -> Array:
+    """Radiance that the middles of strands send sidewards at their points: (p, 3) float32."""
+    t = _tangents(curves)
+    return part.emission(curves.points, t, np.zeros(len(t), np.float32), _across(t))
+
+
+def _tangents(curves: Curves) -> Array:
+    """Unit tangents at the points of strands: (p, 3) float32."""
+    tangents = np.gradient(curves.points, axis=0)
+    ends = curves.offsets.astype(np.int64)
+    tangents[ends[:-1]] = curves.points[ends[:-1] + 1] - curves.points[ends[:-1]]
+    tangents[ends[1:] - 1] = curves.points[ends[1:] - 1] - curves.points[ends[1:] - 2]
+    return _unit(tangents)
 
 
 def _vertices(mesh: Mesh) -> tuple[NDArray[np.int64], Array, Array, Array]:

@@ -13,12 +13,13 @@ _TOLERANCE = 1e-5
 class Transform:
     """A rotation, a uniform scale and a translation from object space to world space.
 
-    Transport is captured for the asset's own shape, so shear, mirroring and non-uniform scale are
-    refused. Uniform scale does not change radiance: points move and directions rotate.
+    Transport is captured for the asset's own shape, so shear and non-uniform scale are refused.
+    Uniform scale does not change radiance: points move and directions rotate. A matrix may mirror:
+    the light of a mirrored asset is the mirrored light.
 
     Attributes:
         matrix: (4, 4) float64, read-only; columns are the object's axes and origin in the world.
-        scale: ratio of world to object lengths.
+        scale: ratio of world to object lengths, positive.
 
     Examples:
         >>> matrix = np.eye(4)
@@ -34,13 +35,13 @@ class Transform:
         """matrix: (4, 4), object to world, acting on column vectors; the last row is 0 0 0 1.
 
         Raises:
-            QueryError: it is not a rotation with uniform scale and translation.
+            QueryError: it is not a rotation or mirroring with uniform scale and translation.
         """
         self.matrix = _as_matrix(matrix)
         linear = self.matrix[:3, :3]
-        self.scale = float(np.cbrt(np.linalg.det(linear)))
+        self.scale = float(np.cbrt(abs(np.linalg.det(linear))))
         if not self.scale > 0:
-            raise QueryError("transform: the matrix is singular or mirrors space")
+            raise QueryError("transform: the matrix is singular")
         rotation = linear / self.scale
         error = np.abs(rotation.T @ rotation - np.eye(3)).max()
         if not error <= _TOLERANCE:

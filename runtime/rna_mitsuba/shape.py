@@ -100,7 +100,7 @@ def asset(
         path: the `.rna` file.
         tier: name of the tier; None is the first.
         to_world: object to world: a Mitsuba transform or a (4, 4) array with a rotation, a uniform
-            scale and a translation; None is the identity.
+            scale and a translation, which may mirror; None is the identity.
         motion: a motion file of `rna-motion` that bends the asset; None is the asset at rest.
         frame: of the motion, from 0; it may lie between two.
         variant: one of `Package.variants`; None for the default base colours.

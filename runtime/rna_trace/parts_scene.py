@@ -27,6 +27,7 @@ PartPoints = SurfacePoints | FiberPoints
 
 PASSED = 0.5
 _MOST_LAYERS = 64
+_RAYS_AROUND = 1 << 14  # that tell from which side parts are seen
 
 
 class PartsScene(GeometryScene):
@@ -104,8 +105,36 @@ class PartsScene(GeometryScene):
     @cached_property
     def diagonal(self) -> float:
         """Diagonal of the box of all parts."""
+        low, high = self._box
+        return float(np.linalg.norm(high - low))
+
+    @property
+    def _box(self) -> tuple[np.ndarray, np.ndarray]:
+        """Lowest and highest corner of the box of all parts."""
         low, high = zip(*(geometry.box() for geometry in self.geometries), strict=True)
-        return float(np.linalg.norm(np.max(high, axis=0) - np.min(low, axis=0)))
+        return np.min(low, axis=0), np.max(high, axis=0)
+
+    @cached_property
+    def sides(self) -> np.ndarray:
+        """Side from which each part is seen from around the asset, (parts,) int8.
+
+        1: the side of its geometric normals. -1: the other one. 0: both, as of a leaf, or unknown,
+        as of strands and where triangles let light through.
+        """
+        (low, high), rng = self._box, np.random.default_rng(0)
+        outwards = rng.normal(size=(_RAYS_AROUND, 3))
+        outwards /= np.linalg.norm(outwards, axis=1, keepdims=True)
+        start = (low + high) / 2 + self.diagonal * outwards
+        towards = low + (high - low) * rng.random((_RAYS_AROUND, 3)) - start
+        towards = np.ascontiguousarray(towards, np.float32)
+        hits = self.intersect(np.ascontiguousarray(start, np.float32), towards)
+        front = np.sum(hits.ng * towards, axis=1) < 0.0
+        result = np.zeros(len(self.geometries), np.int8)
+        for part, geometry in enumerate(self.geometries):
+            of_part = front[hits.geometry == part]
+            if len(of_part) and not (self.transmits or isinstance(geometry, Curves)):
+                result[part] = of_part.all() * 1 - (~of_part).all() * 1
+        return result
 
     def first_opaque(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
         """Distance of rays (n, 3) float32 to the hit that stops light: (n,) float32, inf for none.

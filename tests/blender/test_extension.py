@@ -99,7 +99,7 @@ print("FOUND", json.dumps({
 
 
 def test_the_engine_and_rna_run_give_one_picture(run_in_blender, tmp_path):
-    """Instances, a mesh of another shape, a mirrored one, a material, and the region."""
+    """Instances, one mirrored, a mesh of another shape, a mirrored one, a material, the region."""
     printed = run_in_blender(
         STAGE
         + """
@@ -110,7 +110,7 @@ curls.location, curls.scale, curls.rotation_euler = (0.9, 0.5, 0.2), (0.5,) * 3,
 group = bpy.data.collections.new("group")
 group.objects.link(curls)
 copy = add("copy", None, (-0.3, 0.5, 0), (0, 0, -9))
-copy.instance_type, copy.instance_collection = "COLLECTION", group
+copy.instance_type, copy.instance_collection, copy.scale.x = "COLLECTION", group, -1
 curls.scale = (0.5, 0.5, 0.5)
 bpy.ops.mesh.primitive_plane_add(size=4)
 bpy.ops.mesh.primitive_monkey_add(size=0.3, location=(0.2, -0.5, 0.2))
@@ -134,6 +134,7 @@ write("cut.exr")
     assert "Warning: 'glossy': subsurface scattering is left out" in printed
     scene = yaml.safe_load((tmp_path / "exported" / "scene.yaml").read_text())
     assert len(scene["assets"]) == 3 and len(scene["objects"]) == 2
+    assert sum(asset["transform"]["scale"] < 0 for asset in scene["assets"]) == 1
     out = tmp_path / "direct.exr"
     assert rna_run([str(tmp_path / "exported" / "scene.yaml"), "--out", str(out)]) == 0
     direct, whole, cut = (read_exr(tmp_path / f"{n}.exr")[0] for n in ("direct", "whole", "cut"))

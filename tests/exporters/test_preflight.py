@@ -23,7 +23,8 @@ from tests.conftest import REPOSITORY
 from tests.exporters.in_blender import answer_of
 from tests.exporters.scenes import fur, write_scene
 
-RECIPE = REPOSITORY / "examples" / "recipes" / "materials.py"
+RECIPES = REPOSITORY / "examples" / "recipes"
+RECIPE = RECIPES / "materials.py"
 TEXEL = 0.4e-3
 
 VERDICTS = {
@@ -70,6 +71,22 @@ def test_ten_materials_in_one_scene(open_worker, tmp_path):
     ball = written(opened.exported.glass, tmp_path)
     assert ball.materials[0].inside == Inside(1.5, (0.0, 0.0, 0.0))
     assert np.ptp(ball.positions, axis=0) == pytest.approx(0.1, rel=1e-3)
+
+
+@pytest.mark.blender
+@pytest.mark.parametrize("thing", ["leaf", "bark", "knit", "leather"])
+def test_reliefs_over_uvs_are_mapped(open_worker, thing):
+    opened = OpenedSource.of(open_worker(RECIPES / "relief.py", thing), {}, "x", None)
+    assert opened.exported.mapped == (thing,)
+    (verdict,) = (each for each in opened.materials if each.name == thing)
+    assert verdict.learnt == "well" and "relief by" in verdict.is_
+
+
+@pytest.mark.blender
+def test_a_pane_that_mirrors_is_no_metal(open_worker):
+    opened = OpenedSource.of(open_worker(RECIPES / "things.py", "blister"), {}, "x", None)
+    (pane,) = (each for each in opened.materials if each.name == "clear plastic")
+    assert pane.is_ == "glossy, holes or thin panes"
 
 
 def written(glb: bytes | None, folder: Path) -> MeshObject:
@@ -239,6 +256,15 @@ def test_what_keeps_a_detail_from_being_a_texture_is_named():
     relief, colour = actual.reasons
     assert "the limit keeps it from being a normal map: bake it" in relief
     assert "the node 'Object Info' keeps it from being an image: bake it" in colour
+
+
+@pytest.mark.blender
+def test_maps_that_are_switched_off_are_named_as_the_obstacle(open_worker):
+    worker = open_worker(RECIPES / "relief.py", "knit")
+    opened = OpenedSource.of(worker, {"normal_texels": 0}, "x", None)
+    (knit,) = opened.materials
+    limit = "the limit of 0 texels (--normal-texels) keeps it from being a normal map: raise it, "
+    assert (knit.learnt, knit.loses) == ("not", "relief") and limit in knit.reasons[0]
 
 
 @pytest.mark.parametrize(("share", "promised"), [(0.02, True), (0.3, False)])

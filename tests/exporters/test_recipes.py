@@ -61,6 +61,7 @@ WITH = {  # materials
     ("lantern.py", "--lit"): {"amber glass", "brass", "flame", "iron", "wax"},
     ("bottle.py",): {"cork", "glass", "label"},
     ("print.py",): {"checks", "paper"},
+    ("relief.py", "knit"): {"knit"},
 }
 UNLIT = ("lantern.py",)
 BRANCH, LESS = (("branch.py", "--leaves", n) for n in ("40", "30"))

@@ -11,8 +11,10 @@ from PIL import Image
 
 from rna_export.capture.blender_process.blender_process import Source
 from rna_export.capture.blender_process.exchanged_files import RenderedRays
+from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.check.disagreement import ELSEWHERE, EXTRA, MISSING, TURNED
 from rna_export.capture.check.self_check import PICTURE, SelfCheck, picture_side
+from rna_export.capture.geometry.exported_parts import exported_parts
 from rna_export.capture.opened_source import refuse_nothing
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.traced_rays import TracedRays
@@ -170,6 +172,30 @@ def test_other_normals_are_told_of_surfaces_whose_relief_is_mapped():
     unmapped = SelfCheck(scene, SAMPLES, normals=False)
     unmapped.render_chords(Cycles(scene, 40.0), WI, 2048, "sphere", 0)
     assert unmapped.note() is None
+
+
+def test_normals_of_the_picture_alone_are_not_told():
+    """Slopes of Bump nodes follow from the size of a pixel, which is larger there."""
+    scene = AssetScene([BALL])
+    check = SelfCheck(scene, SAMPLES, normals=True)
+    check.render_chords(Cycles(scene), WI, 2048, "sphere", 0)
+    check.render_picture(Cycles(scene, turn=40.0), "test.blend")
+    assert check.note() is None
+
+
+@pytest.mark.blender
+def test_normals_that_cycles_bends_are_not_told(open_worker):
+    """Few faces, smooth: normals far from the triangles', which Cycles bends to the viewer."""
+    worker = open_worker("""
+text = bpy.data.curves.new("letters", "FONT")
+text.body, text.extrude, text.bevel_depth, text.resolution_u = "Wax", 0.16, 0.03, 3
+bpy.context.scene.collection.objects.link(bpy.data.objects.new("letters", text))
+text.materials.append(principled(Subsurface_Weight=1.0))
+""")
+    scene = AssetScene(tuple(exported_parts(worker, CaptureSettings()).geometries.values()))
+    check = SelfCheck(scene, SAMPLES, normals=True)
+    check.render_chords(worker, WI, 4096, "sphere", 0)
+    assert check.shares == dict.fromkeys(check.shares, 0.0)
 
 
 @pytest.mark.parametrize(("radiance", "reported"), [(0.3183, False), (1.2732, True), (0.31, True)])

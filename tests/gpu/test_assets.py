@@ -22,7 +22,7 @@ assets:
     transform: {{rotation_deg: [0, 25, 0]}}
     emission: 3
   - path: {LANTERN}
-    transform: {{translation: [1.6, 0, -0.9], scale: 1.2}}
+    transform: {{translation: [1.6, 0, -0.9], scale: -1.2}}
 ground:
   height: -1.1
   material: {{type: coated, color: [0.6, 0.5, 0.4], roughness: 0.3}}

@@ -44,7 +44,7 @@ assets:
   - {path: print.rna, tier: TIER}
   - path: print.rna
     tier: TIER
-    transform: {translation: [1.7, 0, -0.4], rotation_deg: [0, 70, 0], scale: 0.8}
+    transform: {translation: [1.7, 0, -0.4], rotation_deg: [0, 70, 0], scale: -0.8}
     maps: {label: noise.png}
     tint: [0.4, 1.5, 1]
 ground: {height: -0.6, material: {type: diffuse, color: [0.7, 0.7, 0.7]}}

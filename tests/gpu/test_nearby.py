@@ -48,7 +48,7 @@ assets:
     transform: {{rotation_deg: [0, 25, 0]}}
   - path: {SURFACE}
     tier: one
-    transform: {{translation: [1.6, 0, -0.9], scale: 0.7}}
+    transform: {{translation: [1.6, 0, -0.9], scale: -0.7}}
   - path: {FIBER}
     transform: {{translation: [-0.4, 0.6, 0.4], rotation_deg: [30, 0, 0], scale: 1.5}}
 ground: {{height: -0.7}}

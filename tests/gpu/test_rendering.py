@@ -8,6 +8,8 @@ from rna_gpu.scene import rendering
 from rna_render.image.film import Layers
 from rna_render.paths.sampling import BRANCHES
 from tests.gpu.scenes import assert_same_law, assert_same_numbers, on_cpu, on_gpu
+from tests.render.assets import sphere
+from tests.render.packages import write_lambert_package
 from tests.render.whole_scenes import EVERYTHING, GLOW, RELIEF, TOY, UNDER_A_SKY, write_files
 from tests.web.glass_files import write_ball
 
@@ -39,6 +41,15 @@ samples: 4
 max_depth: 2
 """
 
+IN_A_BALL = """
+assets: [{path: ball.rna}]
+ground: {}
+camera: {position: [0.1, 0.3, 0.1], look_at: [0.2, 0, 0.1], vertical_fov_deg: 20}
+lights: [{type: directional, direction: [0, 1, 0], irradiance: [2, 2, 2]}]
+resolution: [16, 12]
+samples: 4
+"""
+
 
 @pytest.mark.parametrize("text", [EVERYTHING, RELIEF, GLOW], ids=["everything", "relief", "glow"])
 def test_the_image_of_the_cpu_with_the_same_numbers(
@@ -54,6 +65,16 @@ def test_the_image_of_the_cpu_with_the_same_numbers(
     scene_file, world = scene(text)
     actual = on_gpu(scene_file, world, lambda: device).channels()
     assert_same_numbers(actual, on_cpu(scene_file, world).channels())
+
+
+def test_the_inside_of_a_solid_is_black_to_scattered_rays(scene, device, tmp_path):
+    write_lambert_package(tmp_path / "ball.rna", sphere(3))
+    scene_file, world = scene(IN_A_BALL)
+    for channels in (
+        on_gpu(scene_file, world, lambda: device).channels(),
+        on_cpu(scene_file, world).channels(),
+    ):
+        assert (channels["R"] == 0).all() and (channels["A"] == 1).all()
 
 
 def test_solid_glass_before_and_about_an_asset(scene, device, tmp_path):

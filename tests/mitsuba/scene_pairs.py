@@ -123,7 +123,7 @@ def _lamp_and_wall(folder: Path, grey: Any, camera: dict[str, Any]) -> Pair:
     lines += ["element face 2", "property list uchar int vertex_indices", "end_header"]
     lines += [" ".join(map(str, corner)) for corner in corners]
     wall.write_text("\n".join([*lines, "3 0 1 2", "3 0 2 3", ""]))
-    ball = {"translation": (0.75, 0.2, 0.45), "scale": 0.4}
+    ball = {"translation": (0.75, 0.2, 0.45), "scale": -0.4}
     return Pair(
         {
             "assets": [{"path": str(TOY)}, {"path": str(CURLS), "transform": ball}],
@@ -133,7 +133,7 @@ def _lamp_and_wall(folder: Path, grey: Any, camera: dict[str, Any]) -> Pair:
         },
         {
             "toy": rna_mitsuba.asset(TOY),
-            "ball": rna_mitsuba.asset(CURLS, to_world=T().translate([0.75, 0.2, 0.45]).scale(0.4)),
+            "ball": rna_mitsuba.asset(CURLS, to_world=T().translate([0.75, 0.2, 0.45]).scale(-0.4)),
             "wall": {"type": "ply", "filename": str(wall), "bsdf": diffuse(red)},
             "ground": ground(grey),
             "lamp": {

@@ -103,6 +103,41 @@ CHANGES: dict[str, tuple[str, Callable[[Document], object]]] = {
 """Name of a broken file -> its code, and what makes it of a good one's JSON."""
 
 
+def _bound_to_it(document: Document) -> None:
+    """Makes the node a joint of another mesh."""
+    number = len(document["nodes"]) - 1
+    document["skins"] = [{"joints": [number]}]
+    document["nodes"].append({"mesh": 0, "skin": 0})
+    document["scenes"][0]["nodes"].append(number + 1)
+
+
+def _in_draco(document: Document) -> None:
+    draco = {"KHR_draco_mesh_compression": {"bufferView": 1, "attributes": {"POSITION": 0}}}
+    document["meshes"][0]["primitives"][0]["extensions"] = draco
+    for name in ("extensionsUsed", "extensionsRequired"):
+        document[name] = [*document.get(name, []), *draco]
+
+
+def _sparse(document: Document) -> None:
+    """An accessor of the fallback takes two billion numbers from the package."""
+    view = {"bufferView": 0, "componentType": 5125}
+    document["accessors"][0]["sparse"] = {"count": 2**31, "indices": view, "values": view}
+
+
+HARMLESS: dict[str, Callable[[Document], object]] = {
+    "stride_of_the_view": lambda d: d["bufferViews"][0].update(byteStride=64),
+    "target_of_the_view": lambda d: d["bufferViews"][0].update(target=34962),
+    "a_bone": _bound_to_it,
+    "fallback_in_draco": _in_draco,
+    "sparse_fallback": _sparse,
+    "view_that_is_an_image": lambda d: d.update(
+        images=[{"bufferView": 0, "mimeType": "image/png"}]
+    ),
+    "extension_on_a_scene": lambda d: d["scenes"][0].update(extensions={EXTENSION: {"package": 9}}),
+}
+"""Name of an odd file -> what makes it of a good one's JSON; the package is read as before."""
+
+
 def _with_length(data: bytes, length: int) -> bytes:
     """The file with another length of its binary chunk."""
     at = data.index(b"BIN\0")

@@ -18,7 +18,16 @@ from rna_sdk.package.gltf.fallback import VertexColors, glb_of
 from rna_sdk.package.packing import Unpacked
 from rna_sdk.runtime import load
 from tests.conftest import REPOSITORY
-from tests.package.carriers import CHANGES, CUTS, Document, changed, make_carrier, opened, written
+from tests.package.carriers import (
+    CHANGES,
+    CUTS,
+    HARMLESS,
+    Document,
+    changed,
+    make_carrier,
+    opened,
+    written,
+)
 
 SCHEMA = REPOSITORY / "spec" / "schema" / f"node.{EXTENSION}.schema.json"
 FOX = REPOSITORY / "examples" / "jade" / "fox.rna"
@@ -105,6 +114,13 @@ def test_a_broken_carrier_is_one_line(name, carrier, tmp_path, capsys):
     code, change = CHANGES[name]
     path = changed(carrier, tmp_path / "broken.glb", change)
     _is_refused(path, code, capsys)
+
+
+@pytest.mark.parametrize("name", HARMLESS)
+def test_an_odd_carrier_has_the_same_package(name, carrier, tmp_path):
+    path = changed(carrier, tmp_path / "odd.glb", HARMLESS[name])
+    with Package.open(path) as odd, Package.open(carrier) as good:
+        assert bytes(odd.file_data) == bytes(good.file_data)
 
 
 @pytest.mark.parametrize("name", CUTS)

@@ -74,8 +74,10 @@ def test_parts_are_nodes_and_holes_are_alpha(tmp_path):
     records = [record for part in holes for record in part]
     modes = {m["alphaMode"] for m in document["materials"] if "alphaMode" in m}
     assert modes == {"BLEND" if record.cutoff is None else "MASK" for record in records}
-    assert document["images"]
-    view = document["bufferViews"][document["images"][0]["bufferView"]]
+    surfaces = [m["pbrMetallicRoughness"] for m in document["materials"] if "alphaMode" in m]
+    number = next(s["baseColorTexture"]["index"] for s in surfaces if "baseColorTexture" in s)
+    image = document["images"][document["textures"][number]["source"]]
+    view = document["bufferViews"][image["bufferView"]]
     png = blob[view["byteOffset"] :][: view["byteLength"]]
     alpha = np.array(Image.open(io.BytesIO(png)))[..., 3]
     texture = next(r.texture for r in records if r.texture.shape[:2] == alpha.shape)

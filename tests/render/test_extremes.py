@@ -59,7 +59,7 @@ def test_a_light_beyond_float32_is_one_line(tmp_path, capsys):
         (1e5, 1e5, "its size as placed is 1e+10 m"),
         (1e-5, 1e-5, "its size as placed is 1e-10 m"),
         (1.0, 1e7, "transform.scale: expected a number, at most 1e+06"),
-        (1.0, 1e-7, "transform.scale: expected a number, at least 1e-06"),
+        (1.0, 1e-7, "transform.scale: must be at least 1e-06, or at most -1e-06"),
         (0.99e6, 1.0, None),
         (1.01e-6, 1.0, None),
         (0.99, 1e6, None),

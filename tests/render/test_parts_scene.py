@@ -135,3 +135,13 @@ def test_the_step_is_a_part_of_the_largest_coordinate():
     far = PartsScene([square(size=0.5), lid, straight(((9, 0, 0), (9, 1, 0)))])
     assert not near.visible(0, on_square(0.1, 0), up)[0]
     assert far.visible(0, on_square(0.1, 0), up)[0]
+
+
+def test_the_side_from_which_parts_are_seen():
+    """A solid shows one side, whichever its triangles are wound to, and a card both."""
+    ball = sphere(3)
+    turned = Mesh(ball.positions, ball.normals, None, ball.triangles[:, ::-1].copy())
+    assert PartsScene([ball]).sides.tolist() == [1]
+    assert PartsScene([turned]).sides.tolist() == [-1]
+    assert PartsScene([square(), UPRIGHT]).sides.tolist() == [0, 0]
+    assert PartsScene([sphere(3, radius=3), ball]).sides.tolist() == [1, 0]  # not seen

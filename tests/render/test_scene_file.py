@@ -78,7 +78,7 @@ MISTAKES = [
     ),
     ("resolution: [320, 240]", "samples: many", 17, "samples", "found 'many'"),
     ("scale: 2", "scale: [1, 2, 1]", 6, "assets[0].transform.scale", "uniform"),
-    ("scale: 2", "scale: -1", 6, "assets[0].transform.scale", "at least 1e-06"),
+    ("scale: 2", "scale: -1e-9", 6, "assets[0].transform.scale", "at least 1e-06"),
     ("scale: 2", "scale: 1e-40", 6, "assets[0].transform.scale", "at least 1e-06"),
     ("[1, 2, 3]", "[1, 1.0e+39, 3]", 4, "assets[0].transform.translation[1]", "found 1e+39"),
     ("[3, 2, 1e-2]", "[1.0e+39, 2, 1]", 14, "lights[0].irradiance[0]", "1e+18, found 1e+39"),

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from rna_render.scene.scene_model import TransformModel
-from rna_render.scene.transforms import world_from_object
+from rna_render.scene.transforms import as_transform, world_from_object
 
 X, Y, Z = np.eye(3)
 
@@ -39,3 +39,13 @@ def test_scale_comes_first_and_translation_last():
         TransformModel(translation=(1, 2, 3), rotation_deg=(0, 0, 90), scale=2)
     )
     np.testing.assert_allclose(matrix @ [1, 0, 0, 1], [1, 4, 3, 1], atol=1e-12)
+
+
+@pytest.mark.parametrize("scale", [1.0, 0.02, -3.0])
+def test_the_transform_of_a_matrix(scale):
+    """There and back, also of half turns, where rotations have no w."""
+    for quaternion in [(0.1, -0.7, 0.3, 0.5), (0, 0, 1, 0), (1, 0, 0, 0), (0, 0, 0, 1)]:
+        model = TransformModel(translation=(1, -2, 3), quaternion=quaternion, scale=scale)
+        matrix = world_from_object(model)
+        assert as_transform(matrix).scale == pytest.approx(scale)
+        np.testing.assert_allclose(world_from_object(as_transform(matrix)), matrix, atol=1e-14)

@@ -117,3 +117,12 @@ def test_interpenetrating_assets_cast_shadows_on_what_is_inside_the_other():
     assert (seen(shoot(objects, [sun], **inside)).mean == 0).all()
     outside = {"camera": at_point((1.5, 0, 0), (1.6, 2.0, 0)), "max_depth": 1, "samples": 1}
     assert_is(seen(shoot(objects, [sun], **outside)), ALBEDO / np.pi)
+
+
+def test_the_inside_of_a_solid_is_black_to_scattered_rays():
+    """On the floor inside a ball the sun does not shine, nor does the ball's inside."""
+    ball = LambertAsset(sphere(4, radius=0.5), shadowed=(0.3, 0.3, 0.3))
+    floor = LambertAsset(square(2.0), albedo=WHITE)
+    sun = {"type": "directional", "direction": (0, 1, 0), "irradiance": WHITE}
+    camera = at_point((0.2, 0, 0.1), (0.1, 0.3, 0.1))
+    assert (seen(shoot([(ball, {}), (floor, {})], [sun], camera=camera)).mean == 0).all()

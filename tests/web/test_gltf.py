@@ -12,6 +12,7 @@ import pytest
 
 from rna_view.site_files import ELEMENT, viewer_file
 from tests.conftest import REPOSITORY
+from tests.package.carriers import HARMLESS, changed, make_carrier
 from tests.web.element_pages import SMALL, finished, line, loads, show
 from tests.web.gltf_files import EXTENSION, GltfFile, asset_node, write_gltf
 from tests.web.pages import TIMEOUT, Ranges, served_folder
@@ -52,7 +53,7 @@ def found(*paths: Path) -> list[tuple[str, bytes] | str]:
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
 def test_the_package_of_a_file(tmp_path):
-    """Also where several nodes show it, and bytes follow it."""
+    """Also where several nodes show it, bytes follow it, or the file is odd."""
     file = GltfFile()
     view = file.view(TINY.read_bytes())
     file.view(b"something else")
@@ -62,8 +63,11 @@ def test_the_package_of_a_file(tmp_path):
     plain = GltfFile()
     plain.document |= {"nodes": [{"mesh": 0}], "extensionsUsed": []}
     (tmp_path / "plain.glb").write_bytes(plain.to_bytes())
-    names = ("one.glb", "twice.glb", "plain.glb")
-    expected = [*[TINY.read_bytes()] * 2, plain.to_bytes()]
+    odd = list(HARMLESS)
+    for name in odd:
+        changed(make_carrier(TINY, tmp_path / "good.glb"), tmp_path / name, HARMLESS[name])
+    names = ("one.glb", "twice.glb", *odd, "plain.glb")
+    expected = [*[TINY.read_bytes()] * (2 + len(odd)), plain.to_bytes()]
     assert found(*(tmp_path / name for name in names)) == list(zip(names, expected, strict=True))
 
 

@@ -9,6 +9,7 @@ from rna_sdk.package import query_width
 from rna_view.site_source import site_for
 from tests.conftest import REPOSITORY
 from tests.package.builders import INPUTS, make_tier, make_tiny_fiber_package, make_tiny_package
+from tests.package.carriers import make_carrier
 from tests.package.lobes import even_decoder, with_lobes
 from tests.render.chromium import NO_GPU, Page
 from tests.web.pages import FIRST_LOOK, TIMEOUT, base64_of, notice, viewer, wait_for_picture
@@ -89,11 +90,12 @@ def test_size_of_the_window(page):
 
 
 def test_dropped_package_is_shown(page, tmp_path, package):
+    """Also that of a .glb."""
     fibers = make_tiny_fiber_package(tmp_path / "fibers.rna")
     drop(page, fibers)
     page.wait_for("rnaViewer.shown.parts[0].kind === 'fiber'", TIMEOUT)
     wait_for_picture(page, 3)
-    drop(page, package)
+    drop(page, make_carrier(package, tmp_path / "surface.glb"))
     page.wait_for("rnaViewer.shown.parts[0].kind === 'surface'", TIMEOUT)
     wait_for_picture(page, 3)
     assert notice(page) is None

@@ -75,8 +75,8 @@ class _SceneObjects:
         if record.part:
             self._check_part(item, matrix)
             return
-        if matrix.determinant() <= 0.0:
-            self._notes.add("a mirrored asset is left out: apply or undo the mirror", item.name)
+        if matrix.determinant() == 0.0:
+            self._notes.add("an asset without volume is left out: its scale is 0", item.name)
             return
         if not is_similarity(matrix):
             self._notes.add("an asset has one scale: rendered with the mean of three", item.name)
@@ -86,6 +86,8 @@ class _SceneObjects:
             raise SdkError(f"object {item.name!r}: there is no package {path}")
         settings = item.original.rna_instance
         asset = {"path": str(path), "transform": transform(matrix)}
+        if path.suffix.lower() == ".glb":
+            asset["alone"] = True  # as it was imported
         if settings.tier:
             asset["tier"] = settings.tier
         if settings.emission != 1.0:

@@ -1,5 +1,7 @@
 """Blender's matrices as a scene file's transforms, which know one scale alone."""
 
+import math
+
 import mathutils
 
 from ..axes import matrix_from_blender
@@ -8,10 +10,10 @@ _EVEN = 1e-4  # relative difference of lengths and angles that counts as none
 
 
 def is_similarity(matrix):
-    """Whether a matrix turns, moves and scales evenly, and mirrors nothing."""
+    """Whether a matrix turns, moves and scales evenly; it may mirror."""
     columns = [matrix.to_3x3().col[k] for k in range(3)]
     scale = columns[0].length
-    if scale <= 0.0 or matrix.to_3x3().determinant() <= 0.0:
+    if scale <= 0.0:
         return False
     even = all(abs(column.length - scale) <= _EVEN * scale for column in columns)
     pairs = ((0, 1), (1, 2), (2, 0))
@@ -19,7 +21,7 @@ def is_similarity(matrix):
 
 
 def transform(matrix):
-    """A similarity as the scene file's `transform`."""
+    """A similarity as the scene file's `transform`; all scales are negative where it mirrors."""
     translation, turn, scale = matrix_from_blender(matrix).decompose()
     return {
         "translation": list(translation),
@@ -31,5 +33,6 @@ def transform(matrix):
 def nearest_similarity(matrix):
     """The transform with the geometric mean of its three scales, and without shear."""
     translation, turn, scale = matrix.decompose()
-    mean = abs(scale.x * scale.y * scale.z) ** (1.0 / 3.0)
+    product = scale.x * scale.y * scale.z
+    mean = math.copysign(abs(product) ** (1.0 / 3.0), product)
     return mathutils.Matrix.LocRotScale(translation, turn, (mean,) * 3)

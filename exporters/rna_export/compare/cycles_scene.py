@@ -55,7 +55,7 @@ def _objects(scene: Scene) -> list[_Placed]:
     meshes = []
     for model in scene.objects:
         colour = _colour(model.material)
-        mesh = read_mesh_object(model.path, model.material)
+        mesh = read_mesh_object(model.path, model.material, model.fallbacks)
         meshes.append((mesh, world_from_object(model.transform), colour))
     return meshes
 

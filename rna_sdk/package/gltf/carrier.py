@@ -35,13 +35,6 @@ class Carrier:
         """How often the file shows the package."""
         return sum(map(self._instances, self.nodes))
 
-    @property
-    def is_scene(self) -> bool:
-        """Whether the file shows more than its package once."""
-        own = sum("mesh" in node for number in self.nodes for node in self._fallback(number))
-        nodes = [node for node in self.document["nodes"] if isinstance(node, dict)]
-        return self.instances > 1 or sum("mesh" in node for node in nodes) > own
-
     def facts(self) -> dict[str, Any]:
         """The package's number of instances in the file, and its fallback: JSON's types alone."""
         below = [node for number in self.nodes for node in self._fallback(number)]

@@ -1,8 +1,8 @@
 """A package inside a binary glTF, with a fallback: its geometry with the stand-in materials.
 
 Holes become alpha, normal maps those of glTF, strands ribbons, images of base colour textures. Of
-what the network knows, the fallback has a colour at each vertex, at most. Geometry and textures
-that the package holds are not stored again.
+what the network knows, the fallback has a colour at each vertex and the light that leaves there, at
+most. Geometry and textures that the package holds are not stored again.
 """
 
 from collections.abc import Mapping, Sequence
@@ -19,6 +19,7 @@ from rna_sdk.package.geometry.glb_reader import split_glb
 from rna_sdk.package.geometry.glb_writer import mesh_to_glb
 from rna_sdk.package.geometry.quantised_mesh import quantise_mesh
 from rna_sdk.package.gltf.fallback_file import FallbackFile
+from rna_sdk.package.gltf.fallback_glow import Palette, add_glow
 from rna_sdk.package.gltf.fallback_looks import Looks, Print, prints_of
 from rna_sdk.package.gltf.strand_ribbons import MAX_TRIANGLES, ribbons
 from rna_sdk.package.manifest.extensions import Standin, StandinMaterial, StandinTextures, of_part
@@ -44,12 +45,16 @@ class VertexColors(NamedTuple):
     base: NDArray[np.float32] | None = None
 
 
-def glb_of(package: Package, colors: Mapping[int, VertexColors] | None = None) -> bytes:
+def glb_of(
+    package: Package,
+    colors: Mapping[int, VertexColors] | None = None,
+    glows: Mapping[int, Palette] | None = None,
+) -> bytes:
     """A package as a .glb that other viewers show, too: metres, +Y up, a node for each part.
 
     A package without stand-in materials (RNA_standin) gets grey ones. Textures of these, and else
     colors, take the place of the base colour. colors: of the vertices of some parts, by the part's
-    number.
+    number. glows: emission of some parts, with a place for each vertex, or one for all of them.
     """
     file = FallbackFile(package)
     manifest = package.manifest
@@ -66,7 +71,11 @@ def glb_of(package: Package, colors: Mapping[int, VertexColors] | None = None) -
             base = base.model_copy(update={"base_color": WHITE})
             rest = _without_prints(vertex_colors, prints, package.mesh(i).triangles)
             mesh.attributes["COLOR_0"] = file.colors(rest)
-        looks = Looks(file, part.name, base, holes, reliefs, prints, dict(textures or ()))
+        glow = {}
+        if (palette := (glows or {}).get(i)) is not None:
+            places = np.broadcast_to(palette.places, (mesh.count, 2))
+            glow = add_glow(file, mesh.attributes, palette._replace(places=places))
+        looks = Looks(file, part.name, base, holes, reliefs, prints, dict(textures or ()), glow)
         file.add("meshes", {"name": part.name, "primitives": mesh.primitives(looks)})
         file.add("nodes", {"mesh": i, "name": part.name, **mesh.transform})
     return file.packed(
@@ -104,6 +113,7 @@ class _PartMesh:
 
     Attributes:
         attributes: accessors by name.
+        count: of vertices.
         transform: members of the node, those of quantised positions.
     """
 
@@ -121,6 +131,7 @@ class _PartMesh:
             for view in document.buffer_views
         ]
         self._indices = document.accessors[primitive.indices]
+        self.count = document.accessors[primitive.attributes.POSITION].count
         self.transform = _dumped(node, "translation", "scale")
         named = _dumped(primitive.attributes, *gltf.Attributes.model_fields)
         self.attributes = {

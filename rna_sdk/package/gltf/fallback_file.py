@@ -1,7 +1,9 @@
 """The file of a fallback while it grows: the package first, then what the package does not hold."""
 
 import io
+from collections.abc import Mapping
 from pathlib import PurePosixPath
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -17,8 +19,10 @@ IMAGES = {".png": "image/png", ".jpg": "image/jpeg", ".jpeg": "image/jpeg"}
 """Media types of the images that viewers know, by suffix."""
 
 REPEAT: tuple[Wrap, Wrap] = ("repeat", "repeat")
+CLAMP: tuple[Wrap, Wrap] = ("clamp", "clamp")
 
 _WRAPS = {"repeat": 10497, "clamp": 33071, "mirror": 33648}
+_WITHOUT_MIPMAPS = {"magFilter": 9729, "minFilter": 9729}
 _FULL = 65535
 
 
@@ -33,6 +37,7 @@ class FallbackFile:
         self._textures: dict[tuple[str, tuple[Wrap, Wrap]], dict[str, int]] = {}
         self.view(self.append(package.file_data), len(package.file_data))
         self.is_quantised = False
+        self.extensions: set[str] = set()
 
     def add(self, name: str, member: dict[str, Any]) -> int:
         """Append to the array `name`; its index there."""
@@ -47,16 +52,28 @@ class FallbackFile:
 
     def colors(self, colors: NDArray[np.float32]) -> int:
         """An accessor of linear colours (v, 3) from 0 to 1, in 16 bits a channel."""
-        rows = np.full((len(colors), 4), _FULL, "<u2")
-        rows[:, :3] = np.rint(np.clip(colors, 0.0, 1.0) * np.float32(_FULL))
+        return self._shares(np.column_stack([colors, np.ones(len(colors), colors.dtype)]), "VEC4")
+
+    def coordinates(self, places: NDArray[np.float64]) -> int:
+        """An accessor of texture coordinates (v, 2) from 0 to 1, in 16 bits each."""
+        return self._shares(places, "VEC2")
+
+    def _shares(self, values: NDArray[np.floating], kind: str) -> int:
+        rows = np.rint(np.clip(values, 0.0, 1.0) * values.dtype.type(_FULL)).astype("<u2")
         view = self.view(self.append(rows.tobytes()), rows.nbytes, target=gltf.ARRAY_BUFFER)
-        form = {"componentType": gltf.UNSIGNED_SHORT, "normalized": True, "type": "VEC4"}
+        form = {"componentType": gltf.UNSIGNED_SHORT, "normalized": True, "type": kind}
         return self.add("accessors", {"bufferView": view, "count": len(rows), **form})
 
     def texture(self, pixels: NDArray[np.uint8]) -> dict[str, int]:
         """A texture that repeats, of (h, w, 3 or 4)."""
         png = _png(pixels)
         return self._texture(self.append(png), len(png), "image/png", REPEAT)
+
+    def palette(self, texels: NDArray[np.uint8]) -> dict[str, int]:
+        """A texture of (h, w, 3) that does not repeat, and is not averaged where it is small."""
+        png = _png(texels)
+        start = self.append(png)
+        return self._texture(start, len(png), "image/png", CLAMP, _WITHOUT_MIPMAPS)
 
     def texture_of(self, entry: str, wrap: tuple[Wrap, Wrap] = REPEAT) -> dict[str, int]:
         """A texture that is an image of the package."""
@@ -74,7 +91,7 @@ class FallbackFile:
         root = self.add("nodes", {"name": name, "children": parts, "extensions": carrying(0)})
         document: dict[str, Any] = {
             "asset": {"version": "2.0", **asset},
-            "extensionsUsed": [EXTENSION],
+            "extensionsUsed": [EXTENSION, *sorted(self.extensions)],
             "scene": 0,
             "scenes": [{"nodes": [root]}],
             **self._lists,
@@ -84,9 +101,17 @@ class FallbackFile:
             document["extensionsRequired"] = [gltf.QUANTIZATION]
         return packed(document, b"".join(self._blob))
 
-    def _texture(self, start: int, size: int, kind: str, wrap: tuple[Wrap, Wrap]) -> dict[str, int]:
+    def _texture(
+        self,
+        start: int,
+        size: int,
+        kind: str,
+        wrap: tuple[Wrap, Wrap],
+        filters: Mapping[str, int] = MappingProxyType({}),
+    ) -> dict[str, int]:
         image = self.add("images", {"bufferView": self.view(start, size), "mimeType": kind})
         sampler = dict(zip(("wrapS", "wrapT"), (_WRAPS[side] for side in wrap), strict=True))
+        sampler |= filters
         samplers = self._lists.setdefault("samplers", [])
         if sampler not in samplers:
             samplers.append(sampler)

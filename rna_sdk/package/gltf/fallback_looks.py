@@ -55,7 +55,8 @@ def prints_of(records: Sequence[BaseColorRecord], holes: Sequence[Transmittance]
 class Looks:
     """The materials of a part, one for each set of textures that a triangle may have.
 
-    textures: entries by member of RNA_standin_textures; empty for none.
+    textures: entries by member of RNA_standin_textures; empty for none. glow: the members of a
+    material that sends out light.
     """
 
     def __init__(
@@ -67,8 +68,10 @@ class Looks:
         reliefs: list[NormalMap],
         prints: list[Print],
         textures: Mapping[str, str],
+        glow: Mapping[str, Any],
     ) -> None:
-        self._file, self._name, self._base, self._textures = file, name, base, textures
+        self._common = {"name": name, "doubleSided": True, **glow}
+        self._file, self._base, self._textures = file, base, textures
         self._records: tuple[Sequence[_Range], ...] = (holes, reliefs, prints)
         self._holes, self._reliefs, self._prints = holes, reliefs, prints
         self._made: dict[tuple[int | None, ...], int] = {}
@@ -96,14 +99,14 @@ class Looks:
 
     def _material(self, hole: int | None, relief: int | None, print_: int | None) -> dict[str, Any]:
         if self._textures:
-            return {"name": self._name, "doubleSided": True, **self._textured()}
+            return {**self._common, **self._textured()}
         base = self._base
         surface: dict[str, Any] = {
             "baseColorFactor": [*base.base_color, 1.0],
             "metallicFactor": base.metallic,
             "roughnessFactor": base.roughness,
         }
-        material = {"name": self._name, "pbrMetallicRoughness": surface, "doubleSided": True}
+        material = {**self._common, "pbrMetallicRoughness": surface}
         if print_ is not None:
             of = self._prints[print_]
             surface["baseColorFactor"][:3] = of.factor

@@ -11,6 +11,7 @@ from rna_sdk.files.atomic_file import write_atomically
 from rna_sdk.files.file_kinds import glass_of
 from rna_sdk.package.gltf.carrier_writer import with_package
 from rna_sdk.package.gltf.fallback import VertexColors, glb_of
+from rna_sdk.package.gltf.fallback_glow import Palette, palette_of
 from rna_sdk.package.manifest.extensions import Standin, of_part
 from rna_sdk.package.package import Package
 
@@ -30,7 +31,7 @@ def write_glb(
     """
     with Package.open(package) as opened:
         if fallback is None:
-            data = glb_of(opened, _colors(package, opened))
+            data = glb_of(opened, *_looks(package, opened))
         else:
             data = with_package(fallback, opened, nodes)
     write_atomically(out, data)
@@ -53,15 +54,28 @@ def package_to_write(out: Path) -> Iterator[Path]:
             write_atomically(glass_of(out), glass.read_bytes())
 
 
-def _colors(path: Path, package: Package) -> dict[int, VertexColors]:
-    """The first tier's reflectance at the vertices of surfaces that are not metal, by part."""
-    from rna_sdk.runtime import load  # slow to import
-    from rna_sdk.runtime.standin_colors import surface_colors, vertex_base_colors
+def _looks(path: Path, package: Package) -> tuple[dict[int, VertexColors], dict[int, Palette]]:
+    """Looks of the first tier by part: the reflectance at the vertices of surfaces that are not
+    metal, and the emission at those of surfaces; of strands its mean."""
+    from rna_sdk.runtime import SurfaceAsset, load  # slow to import
+    from rna_sdk.runtime.standin_colors import (
+        fiber_emission,
+        surface_albedo,
+        surface_emission,
+        vertex_base_colors,
+    )
 
-    colors = {}
+    colors, glows = {}, {}
     for i, part in enumerate(load(path).parts):
-        standin = of_part(package.manifest, Standin, i)
-        if part.kind == "surface" and not (standin and standin.metallic):
-            color = np.minimum(surface_colors(part), 1)
-            colors[i] = VertexColors(color, vertex_base_colors(part))
-    return colors
+        light, triangles = np.zeros((1, 3), np.float32), np.zeros((0, 3), np.uint32)
+        if isinstance(part, SurfaceAsset):
+            standin = of_part(package.manifest, Standin, i)
+            if not (standin and standin.metallic):
+                colors[i] = VertexColors(surface_albedo(part), vertex_base_colors(part))
+            if part.emits:
+                light, triangles = surface_emission(part), part.mesh.triangles
+        elif part.emits:
+            light = fiber_emission(part, package.curves(i)).mean(axis=0, keepdims=True)
+        if (palette := palette_of(light, triangles)) is not None:
+            glows[i] = palette
+    return colors, glows

@@ -16,6 +16,7 @@ OBJECT = Record(
 
 OF_MATERIAL, OF_NEURAL, OF_FIBERS = range(3)
 EMITS, LETS_THROUGH, IS_GLASS, HAS_CUTOFF, HAS_SCHLICK, IS_SOLID = 1, 2, 4, 8, 16, 32
+FRONT_ALONE, BACK_ALONE = 64, 128  # the side from which an asset's part is seen from around it
 
 MATERIAL_TEXTURES = {
     "BASE": "base_color_texture",
@@ -99,6 +100,8 @@ TABLE_CONSTANTS = {
     "OF_NEURAL": OF_NEURAL,
     "OF_FIBERS": OF_FIBERS,
     "EMITS": EMITS,
+    "FRONT_ALONE": FRONT_ALONE,
+    "BACK_ALONE": BACK_ALONE,
     "LETS_THROUGH": LETS_THROUGH,
     "IS_GLASS": IS_GLASS,
     "HAS_CUTOFF": HAS_CUTOFF,

@@ -1,5 +1,6 @@
 """The surfaces of a scene, as rows of SURFACE."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -8,7 +9,9 @@ from numpy.typing import NDArray
 
 from rna_gpu.geometry import Shape, Strands, Triangles
 from rna_gpu.records.tables import (
+    BACK_ALONE,
     EMITS,
+    FRONT_ALONE,
     HAS_CUTOFF,
     HAS_SCHLICK,
     IS_GLASS,
@@ -54,17 +57,20 @@ class Surfaces:
     has_coat: bool = False
     transmits: bool = False
 
-    def add(self, scene_object: Any, place: int, body: int) -> list[Shape]:
+    def add(
+        self, scene_object: Any, place: int, body: int, sides: Sequence[int] = ()
+    ) -> list[Shape]:
         """The shapes of an asset or an object, and its surfaces.
 
-        place: of an asset in World.objects. body: the object's number in the geometry.
+        place: of an asset in World.objects. body: the object's number in the geometry. sides: of
+        the parts of an asset, as `PartsScene.sides`; none: all 0.
         """
         first = len(self.rows)
         shapes = [self._object(scene_object)] if isinstance(scene_object, MeshObject) else []
         if not isinstance(scene_object, MeshObject):
-            shapes = [
-                self._part(place, number, part) for number, part in enumerate(scene_object.parts)
-            ]
+            parts = scene_object.parts
+            every = zip(parts, sides or [0] * len(parts), strict=True)
+            shapes = [self._part(place, number, *one) for number, one in enumerate(every)]
         self.bodies += [body] * (len(self.rows) - first)
         return shapes
 
@@ -112,7 +118,7 @@ class Surfaces:
         self.has_coat |= material.metallic > 0 or material.coat_f0 > 0 or material.clear_coat > 0
         return self._add(row)
 
-    def _part(self, place: int, number: int, part: Any) -> Shape:
+    def _part(self, place: int, number: int, part: Any, side: int) -> Shape:
         self.parts.append((place, number))
         if part.kind == "fiber":
             row = self._neural(OF_FIBERS, part, 0)
@@ -125,7 +131,7 @@ class Surfaces:
         mixtures = np.searchsorted(firsts, np.arange(len(mesh.triangles)), side="right") - 1
         numbers = np.stack([maps, panes, colors, mixtures])
         kinds, kind_of_triangle = np.unique(numbers, axis=1, return_inverse=True)
-        surfaces = np.array([self._part_surface(part, *kind) for kind in kinds.T.tolist()])
+        surfaces = np.array([self._part_surface(part, side, *kind) for kind in kinds.T.tolist()])
         return Triangles(
             positions=mesh.positions,
             normals=mesh.normals,
@@ -140,9 +146,12 @@ class Surfaces:
             row[name] = numbers
         return row
 
-    def _part_surface(self, part: Any, normal_map: int, pane: int, color: int, mixture: int) -> int:
+    def _part_surface(
+        self, part: Any, side: int, normal_map: int, pane: int, color: int, mixture: int
+    ) -> int:
         """Number of the surface of triangles with these records of the part; -1 for none."""
         row = self._neural(OF_NEURAL, part, mixture)
+        row["flags"] |= {1: FRONT_ALONE, -1: BACK_ALONE, 0: 0}[side]
         if normal_map >= 0:
             row["normal_map"] = self.images.add_texels(part.normal_maps[normal_map].texture)
         if pane >= 0:

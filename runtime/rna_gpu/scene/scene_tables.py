@@ -59,7 +59,8 @@ def scene_tables(world: World, lights: Sequence[Light]) -> SceneTables:
         if id(placement.object) not in numbers:
             numbers[id(placement.object)] = len(bodies)
             place = int(world.number[k]) - 1
-            bodies.append(surfaces.add(placement.object, place, len(bodies)))
+            body, sides = len(bodies), world.sides(k)
+            bodies.append(surfaces.add(placement.object, place, body, sides))
         body = numbers[id(placement.object)]
         placed.append(Placed(body, placement.world_from_object, world.met_by[k]))
         visible.append(k)

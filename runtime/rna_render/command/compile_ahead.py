@@ -83,8 +83,8 @@ def _ask_assets(scene: Path) -> None:
 
     rows, numbers, yes = np.ones((1, 3), np.float32), np.zeros(1, np.float32), np.ones(1, bool)
     scene_file = read_scene(scene)
-    for model in scene_file.resolved.assets:
-        for part in load(model.path, tier=model.tier).parts:
+    for path, tier in {(model.path, model.tier) for model in scene_file.resolved.assets}:
+        for part in load(path, tier=tier).parts:
             if isinstance(part, SurfaceAsset):
                 color = part.base_color_at(np.zeros(1, np.int64), numbers, numbers, numbers)
                 part.transport(rows, rows, rows, rows, yes, base_color=color)

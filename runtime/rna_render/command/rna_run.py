@@ -235,7 +235,7 @@ def _run(options: argparse.Namespace) -> int:
 
 def _shown(options: argparse.Namespace) -> int:
     from rna_render.command.sequence import animated, frame_numbers, render_sequence
-    from rna_render.command.terminal import tell_packages
+    from rna_render.command.terminal import tell_size
     from rna_render.image.denoise import Denoiser
     from rna_render.image.output import Output
     from rna_render.paths.integrator_factory import check_device
@@ -246,7 +246,7 @@ def _shown(options: argparse.Namespace) -> int:
     changes = {name: value for name in names if (value := getattr(options, name)) is not None}
     scene_file = read_scene(options.scene).with_changes(**changes)
     check_device(options.device, scene_file)
-    tell_packages(scene_file)
+    tell_size(scene_file)
     threads = _use_threads(options.threads)
     if options.preview:
         from rna_render.preview.preview_command import preview

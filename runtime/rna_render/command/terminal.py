@@ -5,7 +5,6 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import suppress
 from pathlib import Path
 
 from rna_render.image.film import Film
@@ -15,7 +14,6 @@ from rna_render.scene.scene_model import QualityModel, Scene
 from rna_render.world.domain_watch import warn_of_extrapolation
 from rna_render.world.world import World
 from rna_sdk.commands.size_note import size_note
-from rna_sdk.errors import PackageError
 from rna_sdk.files.file_kinds import kind_of
 from rna_sdk.package import Package
 from rna_sdk.runtime import Asset, is_no_worse, load
@@ -52,19 +50,14 @@ class Interrupt:
         print("\nstopping after this band of pixels; Ctrl-C again ends at once", file=sys.stderr)
 
 
-def tell_packages(scene_file: SceneFile) -> None:
-    """Print notes: a package that is shown alone may be in centimetres, a .glb may be a scene."""
-    notes: list[str | None] = []
-    for path in dict.fromkeys(asset.path for asset in scene_file.resolved.assets):
-        is_alone = path == scene_file.path.resolve()
-        if is_alone or (path.suffix.lower() == ".glb" and kind_of(path) == "package"):
-            # A broken package is reported with its place in the scene by what loads it.
-            with suppress(PackageError), Package.open(path) as package:
-                notes.append(size_note(*package.box()) if is_alone else None)
-                if package.carrier is not None and package.carrier.is_scene:
-                    notes.append(f"{path.name} is a scene; its package is shown once, and alone")
-    for note in filter(None, notes):
-        print(f"note: {note}", file=sys.stderr)
+def tell_size(scene_file: SceneFile) -> None:
+    """Print a note where a package that is shown alone may be in centimetres."""
+    path = scene_file.path
+    if kind_of(path) == "package":
+        with Package.open(path) as package:
+            note = size_note(*package.box())
+        if note is not None:
+            print(f"note: {note}", file=sys.stderr)
 
 
 def tell_tiers(quality: QualityModel | None, world: World) -> None:

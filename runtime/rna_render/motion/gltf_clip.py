@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from rna_render.materials.files.gltf_container import GltfContainer
+from rna_render.scene.gltf_container import GltfContainer
 from rna_render.scene.limits import MAX_VERTICES
 
 _WIDTHS = {"translation": 3, "rotation": 4, "scale": 3}

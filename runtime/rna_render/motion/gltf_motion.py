@@ -9,17 +9,16 @@ from typing import Any
 
 import numpy as np
 
-from rna_render.materials.files.gltf_container import GltfContainer, open_gltf
 from rna_render.materials.files.gltf_file import (
     corner_count,
-    local_matrix,
-    roots,
     triangle_primitives,
     triangles_of,
     vertex_values,
 )
 from rna_render.materials.files.mesh_parts import check_mesh_size
 from rna_render.motion.gltf_clip import Track, clip_names, duration, read_clip
+from rna_render.scene.gltf_container import GltfContainer, open_gltf
+from rna_render.scene.gltf_nodes import local_matrix, roots
 from rna_render.scene.limits import MAX_NUMBER
 from rna_sdk.errors import MotionError, SceneError
 

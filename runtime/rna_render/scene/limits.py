@@ -33,6 +33,9 @@ MAX_TRIANGLES = 1 << 26
 # Of a glTF accessor without data in the file: all zero, or sparse.
 MAX_ZERO_ITEMS = 1 << 20
 
+# Of a node of glTF, by EXT_mesh_gpu_instancing.
+MAX_INSTANCES = 100_000
+
 # Of a scene file: its parser takes some 10 us a byte.
 MAX_SCENE_BYTES = 1 << 24
 

@@ -49,7 +49,7 @@ Quaternion = tuple[Number, Number, Number, Number]
 Nonnegative = Annotated[float, Field(ge=0, le=MAX_NUMBER)]
 Positive = Annotated[float, Field(gt=0, le=MAX_NUMBER)]
 Length = Annotated[float, Field(ge=MIN_LENGTH, le=MAX_NUMBER)]
-Scale = Annotated[float, Field(ge=MIN_SIZE, le=MAX_SIZE)]
+Scale = Annotated[float, Field(ge=-MAX_SIZE, le=MAX_SIZE)]
 Share = Annotated[float, Field(ge=0, le=1)]
 Rgb = Annotated[tuple[Nonnegative, Nonnegative, Nonnegative], _repeated(3)]
 Albedo = Annotated[tuple[Share, Share, Share], _repeated(3)]
@@ -96,7 +96,11 @@ class TransformModel(Model):
         description="Rotation as x, y, z, w (glTF's order), of any non-zero length; replaces "
         "rotation_deg.",
     )
-    scale: Scale = Field(default=1.0, description="Uniform scale; radiance is unchanged.")
+    scale: Scale = Field(
+        default=1.0,
+        description="Uniform scale; radiance is unchanged. A negative one mirrors through the "
+        "object's origin.",
+    )
 
     @field_validator("scale", mode="before")
     @classmethod
@@ -105,6 +109,13 @@ class TransformModel(Model):
             raise ValueError(
                 "must be one number: an asset's light transport holds under uniform scale only"
             )
+        return value
+
+    @field_validator("scale")
+    @classmethod
+    def _has_size(cls, value: float) -> float:
+        if abs(value) < MIN_SIZE:
+            raise ValueError(f"must be at least {MIN_SIZE:g}, or at most -{MIN_SIZE:g}")
         return value
 
     @field_validator("quaternion")

@@ -1,7 +1,7 @@
 """Scene files: YAML in, a validated scene out, and every error with its file, line and key."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -11,9 +11,10 @@ from pydantic import BaseModel, ValidationError
 
 from rna_render.scene.animation import frame_scene
 from rna_render.scene.core_yaml import CoreLoader
+from rna_render.scene.glb_scene import expanded
 from rna_render.scene.limits import MAX_SCENE_BYTES
 from rna_render.scene.scene_messages import Key, Mistake, mistakes
-from rna_render.scene.scene_model import CameraModel, Scene
+from rna_render.scene.scene_model import AssetModel, CameraModel, Scene
 from rna_render.scene.scene_of_package import default_scene
 from rna_sdk.errors import SceneError
 from rna_sdk.files.file_kinds import kind_of, not_a
@@ -30,9 +31,10 @@ _SHOWN = 20  # mistakes after the first
 class SceneFile:
     """A scene, and where in its file each key stands.
 
-    path: the file. scene: what it says. lines: from key to line, counted from 1; none for the
-    default scene of a package. next_camera: of the next frame, where `scene` is one of several.
-    first_camera: of the file, where `scene` is one frame of it.
+    path: the file. scene: what it says, with an asset for each place in a .glb. lines: from key to
+    line, counted from 1; none for the default scene of a package. next_camera: of the next frame,
+    where `scene` is one of several. first_camera: of the file, where `scene` is one frame of it.
+    entries: of assets and objects of `scene` that a .glb has, the key of its entry in the file.
     """
 
     path: Path
@@ -40,6 +42,7 @@ class SceneFile:
     lines: dict[Key, int]
     next_camera: CameraModel | None = None
     first_camera: CameraModel | None = None
+    entries: dict[Key, Key] = field(default_factory=dict)
 
     def at(self, frame: float) -> "SceneFile":
         """The file with the scene of one frame of its animation; this one if it has none."""
@@ -58,6 +61,7 @@ class SceneFile:
 
     def error(self, key: Key, message: str) -> SceneError:
         """An error that points at `key`."""
+        key = self.entries.get(key[:2], key[:2]) + key[2:]
         return SceneError(message, file=self.path, line=_line(self.lines, key), key=_dotted(key))
 
     def resolve(self, path: Path) -> Path:
@@ -108,7 +112,7 @@ def read_scene(path: Path) -> SceneFile:
         raise SceneError(error.strerror or str(error), file=path) from error
     if kind_of(path) == "package":
         scene = Scene.model_validate(default_scene(path))
-        return SceneFile(path, scene, {})  # no lines: the person has no file with them
+        return _expanded(SceneFile(path, scene, {}))  # no lines: the person has no file with them
     if (wrong := not_a("scene", path)) is not None:
         raise SceneError(wrong, file=path)
     if size > MAX_SCENE_BYTES:
@@ -124,7 +128,26 @@ def read_scene(path: Path) -> SceneFile:
         scene = Scene.model_validate(data)
     except ValidationError as error:
         raise _scene_error(path, lines, error) from error
-    return SceneFile(path, scene, lines)
+    return _expanded(SceneFile(path, scene, lines))
+
+
+def _expanded(file: SceneFile) -> SceneFile:
+    """The scene with the assets and meshes of each .glb. Raises SceneError, as `expanded`."""
+    assets: list[AssetModel] = []
+    objects = [*file.scene.objects]
+    entries: dict[Key, Key] = {}
+    for index, asset in enumerate(file.scene.assets):
+        entry = ("assets", index)
+        try:
+            placed, beside = expanded(asset, file.resolve(asset.path))
+        except SceneError as error:
+            raise file.error((*entry, "path"), str(error)) from error
+        entries |= {("assets", len(assets) + i): entry for i in range(len(placed))}
+        entries |= {("objects", len(objects) + i): entry for i in range(len(beside))}
+        assets += placed
+        objects += beside
+    update = {"assets": tuple(assets), "objects": tuple(objects)}
+    return replace(file, scene=file.scene.model_copy(update=update), entries=entries)
 
 
 def _with_paths(part: Any, resolve: Callable[[Path], Path]) -> Any:

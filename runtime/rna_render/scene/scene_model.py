@@ -81,6 +81,11 @@ class AssetModel(Model):
     tint: tuple[Nonnegative, Nonnegative, Nonnegative] = Field(
         default=(1.0, 1.0, 1.0), description="Factor of all its base colours, linear RGB."
     )
+    alone: bool = Field(
+        default=False,
+        description="Of a .glb: its package once, in its own space, without the file's nodes and "
+        "other meshes.",
+    )
     motion: Annotated[MotionModel | None, BeforeValidator(_path_of_motion)] = Field(
         default=None,
         description="Bends the asset, frame by frame: a path, or a mapping; see below.",
@@ -134,6 +139,9 @@ class ObjectModel(Model):
     )
     material: MaterialModel | None = Field(
         default=None, description="Material of the whole mesh; the file's own materials if omitted."
+    )
+    fallbacks: bool = Field(
+        default=True, description="Of a .glb with packages: whether their fallbacks are shown."
     )
 
 

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from rna_render.scene.core_yaml import dump_yaml
+from rna_render.scene.glb_scene import box_corners, is_glb_scene, read_glb_scene
 from rna_sdk.errors import SceneError
 from rna_sdk.files.file_kinds import glass_of
 from rna_sdk.package import Cone, Curves, Package
@@ -60,7 +61,10 @@ class Shown:
 
 
 def shown(package: Path) -> Shown:
-    """Facts that a package's scene depends on. Raises PackageError for a broken package."""
+    """Facts that a package's scene depends on, of a .glb with all its nodes.
+
+    Raises PackageError for a broken package, SceneError for broken nodes or glass.
+    """
     with Package.open(package) as opened:
         manifest = opened.manifest
         low, high = (corner.astype(np.float64) for corner in opened.box())
@@ -73,6 +77,13 @@ def shown(package: Path) -> Shown:
             () if isinstance(region, str) else region
             for region in (manifest.domain.wo, manifest.domain.wi)
         )
+    if is_glb_scene(package):
+        places, beside = read_glb_scene(package)
+        if len(beside) or not np.array_equal(places, np.eye(4)[None]):
+            corners = box_corners(low, high)
+            moved = corners @ places[:, :3, :3].swapaxes(1, 2) + places[:, None, :3, 3]
+            points = np.concatenate([moved.reshape(-1, 3), beside])
+            low, high = points.min(axis=0), points.max(axis=0)
     glass = glass_of(package)
     if not glass.is_file():
         return Shown(low, high, points, emits, wo, wi)
@@ -93,7 +104,7 @@ def _box_corners(glb: Path) -> np.ndarray:
         accessors = json.loads(data[20 : 20 + size])["accessors"]
         ranges = [(a["min"], a["max"]) for a in accessors if "min" in a]
         low, high = np.min([a for a, _ in ranges], axis=0), np.max([b for _, b in ranges], axis=0)
-        return np.array(np.meshgrid(*zip(low, high, strict=True))).reshape(3, 8).T
+        return box_corners(low, high)
     except (OSError, ValueError, LookupError, TypeError) as error:
         raise SceneError("it cannot be read as .glb", file=glb) from error
 

@@ -51,6 +51,9 @@ class AssetBody:
     Normals of meshes are interpolated from the corners, and not turned to the viewer; those of
     strands are those of the round cones, outward.
 
+    Scattered rays may come from inside a solid, as from the ground that a solid stands in. What
+    they meet there is black: captures see assets from outside.
+
     indirect: the same asset with the tier for what the camera does not see directly. shapes: of its
     parts in motion, whose decoders are evaluated at rest points; None where it is at rest.
     rest_maps: normal maps of the parts at rest, by `rest_maps_of`, for callers that have them.
@@ -94,6 +97,9 @@ class AssetBody:
             if asset.uses_base_color:
                 result.base_color = asset.base_color_at(primitive, u, v, widths)
         result.leaving = self._lobes[part].at(primitive)
+        if not seen and (side := self.scene.sides[part]):
+            facing = np.sum(hits.ng.take(ray, axis=0) * wo, axis=1)
+            result.inside = side * facing < 0.0
         return result
 
     def _rest_points(self, part: int, hits: ClosestHits, ray: np.ndarray) -> RestPoints | None:
@@ -125,11 +131,13 @@ class _Place(NamedTuple):
 class _NeuralPoints(Points):
     """Points of a part of an asset: its decoder evaluates scattering, given visibility along wi.
 
-    leaving: lobes of rays that leave the points.
+    leaving: lobes of rays that leave the points. inside: (m,) bool, which points are seen from
+    inside a solid and send nothing; None: none is.
     """
 
     leaving: PlacedLobes
     tangents: np.ndarray
+    inside: np.ndarray | None = None
 
     def __init__(self, asset: SurfaceAsset | FiberAsset, place: _Place) -> None:
         self._scene, self._part, self._at, self._wo, self._rest = place
@@ -145,7 +153,10 @@ class _NeuralPoints(Points):
         if u is not None and self._lengths is not None:
             x = self._at.x.take(row, axis=0)
             nearby = nearby_estimate(self._scene, self._lengths, x, wi, u, distance)
-        return self._sent(row, wi, v, nearby), v if v.ndim == 1 else v.mean(axis=1)
+        sent = self._sent(row, wi, v, nearby)
+        if self.inside is not None:
+            sent[self.inside.take(row)] = 0.0
+        return sent, v if v.ndim == 1 else v.mean(axis=1)
 
     def transport_and_pdf(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray, u: np.ndarray | None

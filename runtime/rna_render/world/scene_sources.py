@@ -9,7 +9,7 @@ from urllib.parse import unquote
 from pydantic import BaseModel
 
 import rna_sdk
-from rna_render.materials.files.gltf_container import open_gltf
+from rna_render.scene.gltf_container import open_gltf
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_messages import Key
 from rna_sdk.files.regular_file import read_regular

@@ -16,6 +16,7 @@ from rna_sdk.runtime import Asset, Transform
 from rna_trace.embree.instances import ALL_RAYS, CAMERA_RAY, NO_INSTANCE, Instance, InstanceScene
 from rna_trace.embree.tracing import ClosestHits
 from rna_trace.hit_points import Frames, Lines, stepped
+from rna_trace.parts_scene import PartsScene
 from rna_trace.points import Arrived, Body, Points, Role
 
 
@@ -227,6 +228,11 @@ class World:
             return points
         linear, translation = self._matrices[:, :3, :3], self._matrices[:, :3, 3]
         return _transformed(linear, translation, instance, points)
+
+    def sides(self, instance: int) -> list[int]:
+        """`PartsScene.sides` of the parts of an instance; empty where it is no asset."""
+        scene = self._bodies[self._order.body[instance]].scene
+        return scene.sides.tolist() if isinstance(scene, PartsScene) else []
 
     @property
     def assets(self) -> list[Asset]:

@@ -38,7 +38,7 @@ class Loaded:
     def __init__(self) -> None:
         self.assets = _AssetLoader()
         self.motions = MotionLoader()
-        self.objects: dict[tuple[Path, str], MeshObject] = {}
+        self.objects: dict[tuple[Path, str, bool], MeshObject] = {}
         self.bodies = BodyCache()
         self.tiers: Tiers = ()
 
@@ -164,14 +164,14 @@ class _AssetLoader:
 
 
 def _placed_objects(
-    scene_file: SceneFile, loaded: dict[tuple[Path, str], MeshObject], origin: np.ndarray
+    scene_file: SceneFile, loaded: dict[tuple[Path, str, bool], MeshObject], origin: np.ndarray
 ) -> list[Placement]:
     placements = []
     for index, model in enumerate(scene_file.resolved.objects):
-        key = model.path, repr(model.material)
+        key = model.path, repr(model.material), model.fallbacks
         if key not in loaded:
             try:
-                loaded[key] = read_mesh_object(model.path, model.material)
+                loaded[key] = read_mesh_object(model.path, model.material, model.fallbacks)
             except SceneError as error:
                 raise scene_file.error(("objects", index), str(error)) from error
         matrix = world_from_object(model.transform, origin)

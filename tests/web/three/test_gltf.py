@@ -67,6 +67,24 @@ def instances_file(package: Path) -> GltfFile:
     return file
 
 
+def bones_file() -> GltfFile:
+    """A cube that is bound to a joint below a package, and to the package's own node."""
+    file = GltfFile()
+    own = file.document["meshes"][0]["primitives"][0]
+    joints, shares = np.array([[1, 0, 0, 0]] * 8, "<u2"), np.array([[1, 0, 0, 0]] * 8, "<f4")
+    places = {"JOINTS_0": file.accessor(joints), "WEIGHTS_0": file.accessor(shares)}
+    bound = {**own, "attributes": {**own["attributes"], **places}}
+    file.document["meshes"].append({"primitives": [bound]})
+    file.document["skins"] = [{"joints": [1, 2]}]
+    file.document["nodes"] = [
+        {"children": [1, 3]},
+        asset_node(file.view(SURFACE.read_bytes()), children=[2], translation=[0.0, 0.0, 4.0]),
+        {"mesh": 0, "translation": [1.0, 0.5, -4.0], "name": "hand"},
+        {"mesh": 1, "skin": 0, "name": "bound"},
+    ]
+    return file
+
+
 def broken_file() -> GltfFile:
     """A package that is cut, and one that is whole."""
     file = GltfFile()
@@ -86,6 +104,7 @@ def page(tmp_path_factory):
         "surfaces": instances_file(SURFACE),
         "strands": instances_file(STRANDS),
         "broken": broken_file(),
+        "bones": bones_file(),
     }
     for name, file in files.items():
         (folder / f"{name}.glb").write_bytes(file.to_bytes())
@@ -128,7 +147,7 @@ def test_a_scene_has_the_same_bits_as_its_packages(page):
         """,
     )
     types = ["RnaAsset", "RnaAsset", "Mesh", "RnaAsset"]
-    assert actual[0] == [types, 1, "fox", 2, True, [0.25, None]]
+    assert actual[0] == [types, 2, "fox", 2, True, [0.25, None]]
     assert actual[1] == actual[2]
     assert actual[3] == [0, 0]  # all disposed of
 
@@ -155,6 +174,22 @@ def test_instances(page, name, package):
     assert np.count_nonzero(first) > 250
     error = np.mean((first - second) ** 2)
     assert 10 * np.log10(np.max(first) ** 2 / error) > 60
+
+
+def test_joints_below_a_package_move_other_meshes(page):
+    """A node with a package may be a bone, and bones may be below it, without their meshes."""
+    actual = run(
+        page,
+        """
+        const gltf = await load("bones.glb"), bound = gltf.scene.getObjectByName("bound");
+        gltf.scene.updateMatrixWorld(true);
+        bound.skeleton.update();
+        const place = bound.applyBoneTransform(0, new THREE.Vector3(0, 0, 0)).toArray();
+        const { isBone, children } = gltf.scene.getObjectByName("hand");
+        return [place, isBone, children.length];
+        """,
+    )
+    assert actual == [[1.0, 0.5, 0.0], True, 0]
 
 
 def test_what_cannot_be_shown_has_its_fallback(page):

@@ -16,8 +16,7 @@ from rna_materials.uv_render import ColourOfUv, surface_output
 _STEP = 0.5  # texels to either side, over which a slope is measured
 _SHOWN, _ZERO = 0.25, 0.5  # a height as a colour: emission is not negative
 _LARGEST, _LARGEST_PATTERN = 2048, 1024  # texels a side, of images and without them
-_EVEN = 1.5  # times the usual size of a unit of UV, or its inverse
-_MOST = 0.2  # of the area, that may be larger or smaller
+_UNEVEN = 0.35  # of a slope, by which a map is off in the mean where the size of the UVs varies
 
 
 class Bump(NamedTuple):
@@ -121,7 +120,7 @@ class ReliefOfUv(ColourOfUv):  # type: ignore[misc]
 
 
 def _metres_a_uv(uses: list[Use], layer: str, by_object: bool) -> np.ndarray:
-    """(2,) of a unit of u and of v, where that is about the same all over. Raises NotOfUv.
+    """(2,) of a unit of u and of v, medians over the area. Raises NotOfUv where they vary much.
 
     by_object: whether in units of the object instead.
     """
@@ -136,8 +135,7 @@ def _metres_a_uv(uses: list[Use], layer: str, by_object: bool) -> np.ndarray:
     lengths = np.linalg.norm(np.linalg.solve(ways[regular], sides[regular]), axis=2)  # (t, 2)
     area = area[regular]
     result = np.array([_median(each, area) for each in lengths.T])
-    uneven = np.any(np.maximum(lengths / result, result / lengths) > _EVEN, axis=1)
-    if area[uneven].sum() > _MOST * area.sum():
+    if np.average(np.abs(lengths / result - 1.0), axis=0, weights=area).max() > _UNEVEN:
         raise NotOfUv("a height over UV coordinates of uneven scale")
     return result
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import bpy
 import numpy as np
 from rna_materials import normal_maps
 from rna_materials.relief import ReliefOfUv
@@ -27,7 +28,9 @@ from rna_materials.uv_points import NotOfUv, UvPoints, joined
 from rna_materials.uv_render import ColourOfUv
 
 _NOTED, _WRONG = 0.01, 0.1  # mean errors of holes: noted, and of no use
-_WRONG_NORMAL = 0.03  # mean error of a normal's x and y
+_WRONG_NORMAL = 0.03  # mean error of a normal's x and y, or as
+_OF_RELIEF = 0.25  # a share of their mean
+_BLUR = 0.01  # more error of a map of fewer texels, that is noted
 _KEPT = 0.5  # of the relief's spread, at least, in a map of fewer texels
 _SHARP = 0.025  # error of a sharp outline where Cycles has one as wide as a texel
 
@@ -70,7 +73,7 @@ def export_textures(path: str, side: int) -> dict[str, Any]:
     normals: list[str] = []
     stored, notes, captured, learnt = {}, [], False, side == 0
     textures: dict[str, Any] = {}
-    obstacles: dict[str, str] = {}
+    obstacles = {} if side else {each.name_full: _limit(0) for each in bpy.data.materials}
     copies = Copies()
     try:
         surfaces = list(shown_surfaces(copies, Path(path).parent, side > 0))
@@ -102,6 +105,10 @@ def export_textures(path: str, side: int) -> dict[str, Any]:
     all_textures = {"holes": holes, "normals": normals, "charts": stored}
     others = {"captured": captured, "learnt": learnt, "obstacles": obstacles, "notes": notes}
     return {**all_textures, **others}
+
+
+def _limit(side: int) -> str:
+    return f"the limit of {side} texels (--normal-texels)"
 
 
 def _textures_of(surface: Surface, side: int) -> _Textures:
@@ -231,13 +238,14 @@ def _add_normals(surface: Surface, textures: _Textures, side: int) -> None:
         raise NotOfUv("nodes whose values do not repeat, or are too fine")
     height, width = fit.texture.shape[:2]
     xy = normal_maps.reduced(fit.texture, side)
-    if xy.shape[:2] != (height, width):
+    off = float(np.abs(looked_up(xy, fit.chart, points.uvs) - truth).mean())
+    if off > fit.error + _BLUR:
         textures.notes.append(
             f"has a normal map of {width} x {height} texels, stored as {xy.shape[1]} x "
             f"{xy.shape[0]}: finer relief blurs (--normal-texels)"
         )
     if xy.std() < _KEPT * fit.texture.std():
-        textures.obstacle = f"the limit of {side} texels (--normal-texels)"
+        textures.obstacle = _limit(side)
     fit.texture = np.round(127.0 + 127.0 * np.clip(xy, -1.0, 1.0)).astype(np.uint8)
     textures.normals = fit
 
@@ -255,7 +263,8 @@ def _fit_normals(
 
     largest = normal.largest if isinstance(normal, ReliefOfUv) else LARGEST
     fit = best_fit(normal, [chart for chart in tried if chart.is_upright], make, error, largest)
-    return None if fit is None or fit.error > _WRONG_NORMAL else fit
+    wrong = max(_WRONG_NORMAL, _OF_RELIEF * float(np.abs(truth).mean()))
+    return None if fit is None or fit.error > wrong else fit
 
 
 def _refitted(surface: Surface, holes: Fit | None, chart: Chart) -> Fit | None:

@@ -93,8 +93,10 @@ def _kinds(shader: Shader) -> Iterator[str]:
         yield "thin"
     if node.type == "SUBSURFACE_SCATTERING" or is_on(shader, "Subsurface Weight"):
         yield "scattering"
-    if node.type in ("BSDF_METALLIC", "BSDF_GLOSSY") or is_on(shader, "Metallic"):
+    if node.type == "BSDF_METALLIC" or is_on(shader, "Metallic"):
         yield "metal"
+    if node.type == "BSDF_GLOSSY":
+        yield "glossy"
     if is_on(shader, "Coat Weight"):
         yield "coat"
     if node.type == "BSDF_SHEEN" or is_on(shader, "Sheen Weight"):

@@ -15,7 +15,7 @@ KINDS = (MISSING, EXTRA, ELSEWHERE, TURNED)
 
 APART = 1e-3  # of the asset's radius: quantised geometry moves hits by 1e-5
 _TURN = np.cos(np.radians(30.0))  # normal maps of fewer texels than their images turn less
-_GRAZING = 0.2  # cosine, below which Cycles bends normals towards the viewer
+_REFLECTED = 0.01  # cosine of a mirrored ray: Cycles bends normals that give less
 _EMPTY = 1.0 - HIT  # alpha of a ray that meets nothing
 _SIGNIFICANT = 3.0  # standard errors
 _FEWEST = 5  # rays: fewer are chance
@@ -99,15 +99,20 @@ def other_hits(
 
 
 def _turned(rays: ViewRays, points: ShadePoints, normal: np.ndarray) -> np.ndarray:
-    """(n,) bool: surfaces that are not seen at a grazing angle, and whose normals differ."""
+    """(n,) bool: surfaces whose normals differ, where Cycles does not bend them."""
     result = np.zeros(len(rays), bool)
     for on in points.on:
         if not isinstance(on.points, SurfacePoints) or not len(on.rows):
             continue
-        facing = np.sum(points.geometric_normal[on.rows] * rays.directions[on.rows], axis=1)
-        cosine = np.sum(on.points.mapped * normal[on.rows], axis=1)
+        viewer = -rays.directions[on.rows]
+        facing = np.sum(points.geometric_normal[on.rows] * viewer, axis=1)
         # Cycles turns normals of backs towards the viewer.
-        result[on.rows] = (np.abs(facing) > _GRAZING) & (-np.sign(facing) * cosine < _TURN)
+        side = np.sign(facing)[:, None]
+        ours, flat = side * on.points.mapped, side * points.geometric_normal[on.rows]
+        # Cycles' ensure_valid_specular_reflection: mirrored rays stay above the triangle.
+        mirrored = 2.0 * np.sum(ours * viewer, axis=1, keepdims=True) * ours - viewer
+        kept = np.sum(flat * mirrored, axis=1) >= np.minimum(0.9 * np.abs(facing), _REFLECTED)
+        result[on.rows] = kept & (np.sum(ours * normal[on.rows], axis=1) < _TURN)
     return result
 
 

@@ -10,6 +10,7 @@ Kind = Literal[
     "opaque",
     "coat",
     "metal",
+    "glossy",
     "brushed",
     "velvet",
     "scattering",

@@ -20,6 +20,7 @@ _TEXELS = 2.0  # of a plane, from one detail to the next, at the least
 _LOST = 0.5  # of that: relief of a plane's texel
 _MIRROR = 0.05  # roughness that an artist calls a mirror's
 _SOFTENED = 0.02  # roughness below which the floor of captures shows
+_OPTION = "--normal-texels"  # an obstacle that is the user's to raise
 _SCATTERING = frozenset({"scattering", "thin", "refracting", "glass", "volume", "hair"})
 _WORDS = {
     "coat": "clear coat",
@@ -246,5 +247,7 @@ def _of_detail(detail: Detail, least: float, obstacle: str | None) -> _Reason | 
 
 def _remedy(obstacle: str | None, texture: str) -> str:
     """The remedy for a texture of a detail; texture: "an image"."""
-    bake = f"bake it into {texture} of its UVs"
-    return bake if obstacle is None else f"{obstacle} keeps it from being {texture}: {bake}"
+    if obstacle is None:
+        return f"bake it into {texture} of its UVs"
+    do = "raise it" if _OPTION in obstacle else f"bake it into {texture} of its UVs"
+    return f"{obstacle} keeps it from being {texture}: {do}"

@@ -140,7 +140,7 @@ fn direct(@builtin(global_invocation_id) id: vec3<u32>) {
     let v = vertex_of(path);
     let catches = object_catches(v.instance) == 1u;
     let light = chosen_light(path.pixel);
-    if (catches && frame.depth != 1u) || is_same_light(light, v) {
+    if (catches && frame.depth != 1u) || is_same_light(light, v) || is_inside(v) {
         return;
     }
     var sampled = sample_light(light, v.x_world, at_light_sample(path.pixel, LIGHT));

@@ -8,7 +8,8 @@ fn scatter(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     queries[k].at_point.part = NONE;
     let path = paths[k];
-    if object_catches(path.instance) == 1u {
+    let v = vertex_of(path);
+    if object_catches(path.instance) == 1u || is_inside(v) {
         paths[k].state = DEAD;
         return;
     }
@@ -23,7 +24,6 @@ fn scatter(@builtin(global_invocation_id) id: vec3<u32>) {
         }
         beta /= max(survival, 1e-30);
     }
-    let v = vertex_of(path);
     let u = vec3f(at_point(path.pixel, DIRECTION), at_point(path.pixel, CHOICES).y);
     var wi = vec3f(0.0);
     var pdf = 0.0;

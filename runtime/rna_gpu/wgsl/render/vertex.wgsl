@@ -164,3 +164,10 @@ fn leaving_point(v: Vertex, wi: vec3f) -> vec3f {
 fn instance_scale(instance: u32) -> f32 {
     return rna_instances[instance].scale;
 }
+
+// Whether a scattered ray has come to the point from inside a solid. Captures see assets from outside; inside they are
+// black.
+fn is_inside(v: Vertex) -> bool {
+    let never = select(FRONT_ALONE, BACK_ALONE, dot(v.ng, v.wo) > 0.0);
+    return frame.depth > 1u && surface_has(v.surface, never);
+}

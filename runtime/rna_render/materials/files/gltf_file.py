@@ -7,12 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from rna_render.materials.files.gltf_container import GltfContainer, open_gltf
 from rna_render.materials.files.gltf_materials import GltfMaterials
 from rna_render.materials.files.mesh_parts import MeshFile, Part, check_mesh_size
 from rna_render.materials.material import Material
-from rna_render.scene.limits import MAX_NUMBER
-from rna_render.scene.transforms import quaternion_rotation
+from rna_render.scene.gltf_container import GltfContainer, open_gltf
+from rna_render.scene.gltf_nodes import PACKAGE, placed_nodes
 from rna_sdk.commands.gltf_remedies import with_remedy
 
 # Section 3.7.2.1: modes of primitives.
@@ -24,16 +23,13 @@ WIDTHS_OF_ATTRIBUTES = {"POSITION": 3, "NORMAL": 3, "TANGENT": 4, "TEXCOORD_0": 
 # Extensions that a file may require of its reader. Those of materials may be left out of the look.
 KNOWN_EXTENSIONS = {"KHR_mesh_quantization", "KHR_texture_transform", "EXT_texture_webp"}
 
-# Of nodes. A package is an asset of the scene, beside its objects; its fallback is shown.
-NOT_SHOWN = {"EXT_mesh_gpu_instancing", "RNA_relightable_asset"}
 
-
-def read_gltf(path: Path, with_materials: bool) -> MeshFile:
+def read_gltf(path: Path, with_materials: bool, fallbacks: bool = True) -> MeshFile:
     """The parts of a .gltf or .glb file, in the world of its scene.
 
     with_materials: whether to read its own; else all parts have material 0, which is a
-    stand-in. Raises SceneError for files beside it that cannot be read, and whatever Python
-    raises for a file that is not valid.
+    stand-in. fallbacks: whether those of packages are shown. Raises SceneError for files beside it
+    that cannot be read, and whatever Python raises for a file that is not valid.
     """
     container = open_gltf(path)
     required = set(container.json.get("extensionsRequired", ())) - KNOWN_EXTENSIONS
@@ -42,7 +38,7 @@ def read_gltf(path: Path, with_materials: bool) -> MeshFile:
         names = ", ".join(sorted(required))
         raise ValueError(with_remedy(f"it requires an extension that is not known: {names}"))
     left_out: set[str] = set()
-    primitives = list(_primitives(container, left_out))
+    primitives = list(_primitives(container, left_out, fallbacks))
     _check_size(container, primitives)
     if not with_materials:
         parts = [replace(_part(container, *item, 0), colors=None) for item in primitives]
@@ -56,28 +52,23 @@ def read_gltf(path: Path, with_materials: bool) -> MeshFile:
 
 
 def _primitives(
-    container: GltfContainer, left_out: set[str]
+    container: GltfContainer, left_out: set[str], fallbacks: bool
 ) -> Iterator[tuple[np.ndarray, dict[str, Any]]]:
-    """Primitives of triangles in the scene, each with its node's (4, 4) matrix to the world."""
-    document = container.json
-    nodes, seen = document.get("nodes", []), set()
-    stack = [(np.eye(4), root) for root in reversed(roots(document, nodes))]
-    while stack:
-        world_from_parent, number = stack.pop()
-        if number in seen:
-            raise ValueError(f"node {number} is in its scene twice")
-        seen.add(number)
-        node = nodes[number]
-        matrix = world_from_parent @ local_matrix(node)
-        stack += [(matrix, child) for child in reversed(node.get("children", ()))]
-        left_out |= NOT_SHOWN & set(node.get("extensions", {}))
+    """Primitives of triangles in the scene, each with a (4, 4) matrix to the world."""
+    for placed in placed_nodes(container, fallbacks):
+        node = placed.node
+        if placed.has_package:
+            if not fallbacks:
+                continue
+            left_out.add(PACKAGE)
         if "mesh" not in node:
             continue
-        mesh = document["meshes"][node["mesh"]]
+        mesh = container.json["meshes"][node["mesh"]]
         if "skin" in node or any(node.get("weights", mesh.get("weights", ()))):
             left_out.add("skins and morph targets")
         for primitive in triangle_primitives(mesh, left_out):
-            yield matrix, primitive
+            for matrix in placed.matrices:
+                yield matrix, primitive
 
 
 def triangle_primitives(mesh: dict[str, Any], left_out: set[str]) -> Iterator[dict[str, Any]]:
@@ -100,31 +91,6 @@ def _check_size(
         vertices += container.count(data["attributes"]["POSITION"])
         corners += corner_count(container, data)
     check_mesh_size(vertices, corners // 3)
-
-
-def roots(document: dict[str, Any], nodes: list[dict[str, Any]]) -> list[int]:
-    """The root nodes of the default scene, or of the file if it has no scenes."""
-    if "scenes" in document:
-        return list(document["scenes"][document.get("scene", 0)].get("nodes", ()))
-    children = {child for node in nodes for child in node.get("children", ())}
-    return [number for number in range(len(nodes)) if number not in children]
-
-
-def local_matrix(node: dict[str, Any]) -> np.ndarray:
-    """Section 3.5.3: a column-major matrix, or translation * rotation * scale."""
-    if "matrix" in node:
-        return _finite(np.array(node["matrix"], np.float64).reshape(4, 4).T)
-    rotation = quaternion_rotation(node.get("rotation", (0.0, 0.0, 0.0, 1.0)))
-    matrix = np.eye(4)
-    matrix[:3, :3] = rotation * np.array(node.get("scale", (1, 1, 1)), np.float64)
-    matrix[:3, 3] = node.get("translation", (0, 0, 0))
-    return _finite(matrix)
-
-
-def _finite(matrix: np.ndarray) -> np.ndarray:
-    if not (np.abs(matrix) <= MAX_NUMBER).all():
-        raise ValueError(f"a node's transform has numbers that are not at most {MAX_NUMBER:g}")
-    return matrix
 
 
 def _part(

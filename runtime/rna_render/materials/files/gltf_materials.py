@@ -13,10 +13,10 @@ from typing import Any
 
 import numpy as np
 
-from rna_render.materials.files.gltf_container import GltfContainer
 from rna_render.materials.material import Inside, Material, reflectance_of_ior
 from rna_render.materials.textures import IDENTITY, LINEAR, SRGB, Texture, read_alpha, read_texels
 from rna_render.materials.transmission import transmitted_by
+from rna_render.scene.gltf_container import GltfContainer
 from rna_render.scene.limits import MAX_NUMBER
 from rna_render.scene.model_base import Vector
 from rna_trace.bilinear import CLAMP, MIRROR, REPEAT

@@ -2,6 +2,7 @@
 
 import warnings
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from rna_render.materials.files.gltf_file import read_gltf
@@ -10,6 +11,7 @@ from rna_render.materials.files.obj_file import read_obj
 from rna_render.materials.files.ply_file import read_ply
 from rna_render.materials.material import Material, make_material
 from rna_render.materials.mesh_object import MeshObject
+from rna_render.scene.gltf_container import reason_of
 from rna_render.scene.material_models import MaterialModel, ShadowCatcherModel
 from rna_sdk.errors import SceneError
 from rna_sdk.files.regular_file import check_regular
@@ -26,13 +28,16 @@ class MeshFileWarning(UserWarning):
     """Something in a mesh file changes its look and is not shown."""
 
 
-def read_mesh_object(path: Path, material: MaterialModel | None = None) -> MeshObject:
+def read_mesh_object(
+    path: Path, material: MaterialModel | None = None, fallbacks: bool = True
+) -> MeshObject:
     """A .glb, .gltf, .obj or .ply file as one mesh, in the file's own space.
 
     Nodes of glTF are baked, without lights, cameras and animation; coordinates of OBJ and PLY
     are taken as they are, with +Y up. Parts without normals get flat ones.
 
-    material: what the whole mesh is made of; the file's own materials if None.
+    material: what the whole mesh is made of; the file's own materials if None. fallbacks: of a
+    .glb with packages, whether their fallbacks are part of the mesh.
 
     Warns once (MeshFileWarning) with all that the file says of its look and is not shown, such
     as volumes or vertex colours. Raises SceneError, which names the file: it is not there,
@@ -43,6 +48,8 @@ def read_mesh_object(path: Path, material: MaterialModel | None = None) -> MeshO
     if reader is None:
         known = ", ".join(_READERS)
         raise SceneError(f"expected a file that ends with one of {known}", file=path)
+    if reader is read_gltf and not fallbacks:
+        reader = partial(read_gltf, fallbacks=False)
     override = None if material is None else [make_material(material)]
     file, mesh = _read(reader, path, override, isinstance(material, ShadowCatcherModel))
     if file.left_out:
@@ -70,7 +77,4 @@ def _read(
         raise SceneError(error.strerror or str(error), file=path) from error
     except Exception as error:  # whatever a broken file makes trimesh or json raise
         kind = path.suffix.lower()
-        said = " ".join(str(error).split())[:200]
-        if not isinstance(error, ValueError) or not said:
-            said = f"{type(error).__name__} {said}".strip()
-        raise SceneError(f"it cannot be read as {kind}: {said}", file=path) from error
+        raise SceneError(f"it cannot be read as {kind}: {reason_of(error)}", file=path) from error

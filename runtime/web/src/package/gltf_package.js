@@ -21,7 +21,7 @@ export async function packageIn(source) {
   const [binLength, binKind] = bin + CHUNK <= size ? await words(bin, 2) : [0, BIN_CHUNK], start = bin + CHUNK;
   if (binKind !== BIN_CHUNK || start + binLength > size) wrong(`expected a BIN chunk at byte ${bin}, found another, or one that ends behind the file`);
   const packages = [...packagesIn(parseJson(bytes, name, "GLB_CONTAINER"), { start, length: binLength }, name).values()];
-  if (packages.length > 1) fail("GLB_SEVERAL", name, `expected one package, found ${packages.length}: rna-run, and RNAExtension of rna-three, show scenes of several`);
+  if (packages.length > 1) fail("GLB_SEVERAL", name, `expected one package, found ${packages.length}: RNAExtension of rna-three shows scenes of several`);
   return packages.length ? source.part(...packages[0]) : source;
 }
 

@@ -16,7 +16,7 @@ export class RNAExtension {
     Object.assign(this, { name: EXTENSION, parser, renderer, tier, variant, options: optionsOf(options), assets: new Map(), unused: new Set() });
   }
 
-  /** Reads the packages. Of nodes that are shown by one, GLTFLoader then loads neither mesh nor children. */
+  /** Reads the packages. Of nodes that are shown by one GLTFLoader then loads no mesh, and of those below the places alone: joints of other meshes. */
   async beforeRoot() {
     const { parser, renderer } = this, { json } = parser, { header, body } = parser.extensions.KHR_binary_glTF ?? {};
     const bin = { start: (header?.length ?? 0) - (body?.byteLength ?? 0), length: body?.byteLength ?? 0 };
@@ -30,7 +30,10 @@ export class RNAExtension {
     if (!packages.size || !hasWebGPU(renderer, INSTEAD)) return;
     const take = ([index, [start, end]]) => this._take(index, new Blob([new Uint8Array(body, start - bin.start, end - start)])).catch(warn);
     await Promise.all([...packages].map(take));
-    parser.json = { ...json, nodes: json.nodes.map((node) => (this._assetOf(node) ? withoutFallback(node) : node)) };
+    const shown = json.nodes.filter((node) => this._assetOf(node)), below = new Set(shown.flatMap(childrenOf));
+    for (const index of below) childrenOf(json.nodes[index]).forEach((child) => below.add(child));
+    const loaded = (node, index) => (below.has(index) ? placeOf(node) : this._assetOf(node) ? withoutMesh(node) : node);
+    parser.json = { ...json, nodes: json.nodes.map(loaded) };
   }
 
   createNodeMesh(index) {
@@ -89,6 +92,12 @@ export class RNAExtension {
 
 const warn = ({ message }) => console.warn(`rna-three: ${message}: ${INSTEAD}`);
 
-function withoutFallback({ mesh, skin, weights, children, ...node }) {
+const childrenOf = (node) => node?.children ?? [];
+
+function withoutMesh({ mesh, skin, weights, ...node }) {
+  return node;
+}
+
+function placeOf({ mesh, skin, weights, camera, extensions, ...node }) {
   return node;
 }

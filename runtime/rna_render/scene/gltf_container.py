@@ -22,6 +22,7 @@ from rna_sdk.files.regular_file import read_regular
 DTYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 
+_LONGEST_REASON = 200
 _LONGEST_URI = 512
 """Longest URI of another file; longer ones are data without `data:`, which flood errors."""
 
@@ -131,6 +132,14 @@ class GltfContainer:
         if len(uri) > _LONGEST_URI:
             raise ValueError(f"a uri of {len(uri)} characters, which begins with {uri[:40]!r}")
         return self.path.parent / unquote(uri)
+
+
+def reason_of(error: Exception) -> str:
+    """A line of why a broken file raised it, of whatever type it is."""
+    said = " ".join(str(error).split())[:_LONGEST_REASON]
+    if isinstance(error, ValueError) and said:
+        return said
+    return f"{type(error).__name__} {said}".strip()
 
 
 def open_gltf(path: Path) -> GltfContainer:
