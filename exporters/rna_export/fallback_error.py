@@ -11,7 +11,7 @@ from rna_export.capture.dataset.validation_view import WholeView
 from rna_export.metrics import plain
 from rna_export.training.asset_error import asset_error
 from rna_render import DirectLight, read_mesh_object
-from rna_render.materials import open_gltf
+from rna_render.scene import open_gltf
 from rna_sdk.commands.console import command_line
 from rna_sdk.files.atomic_file import write_atomically
 from rna_sdk.files.file_kinds import is_gltf

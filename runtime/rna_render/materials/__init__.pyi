@@ -1,6 +1,5 @@
 """Public names of `rna_render.materials`."""
 
-from .files.gltf_container import open_gltf as open_gltf
 from .files.mesh_file import MeshFileWarning as MeshFileWarning
 from .files.mesh_file import read_mesh_object as read_mesh_object
 from .ggx import TABLE_SIZE as TABLE_SIZE

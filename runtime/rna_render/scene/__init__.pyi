@@ -1,6 +1,7 @@
 """Public names of `rna_render.scene`."""
 
 from .animation import frame_scene as frame_scene
+from .gltf_container import open_gltf as open_gltf
 from .light_models import DirectionalModel as DirectionalModel
 from .light_models import EnvironmentModel as EnvironmentModel
 from .light_models import LightModel as LightModel
