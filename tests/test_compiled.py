@@ -71,6 +71,7 @@ import os, runpy, sys
 import numba, numpy
 import rna_sdk.machine.compiled
 
+sys.dont_write_bytecode = True  # a helper may change twice in a second, which is all that .pyc tells
 for line in iter(sys.stdin.readline, ""):
     folder = line.rstrip("\\n")
     child = os.fork()
