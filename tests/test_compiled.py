@@ -71,7 +71,7 @@ import os, runpy, sys
 import numba, numpy
 import rna_sdk.machine.compiled
 
-sys.dont_write_bytecode = True  # a helper may change twice in a second, which is all that .pyc tells
+sys.dont_write_bytecode = True  # .pyc tell changes by the second
 for line in iter(sys.stdin.readline, ""):
     folder = line.rstrip("\\n")
     child = os.fork()
