@@ -359,13 +359,16 @@ def test_a_model_of_too_few_steps_is_no_package_and_its_rays_are_kept(make, monk
     assert made.why == "time is up" and made.rounds == 2
 
 
-def test_more_minutes_that_were_stopped_go_on_with_their_own(make, tmp_path):
+@pytest.mark.parametrize("then", [0.05, 0.04])
+def test_more_minutes_that_were_stopped_go_on(then, make, tmp_path):
+    """They begin anew if another number is given, as after a typing error."""
     make(minutes=0.05)
     with pytest.raises(Stopped):
         make(minutes=0.05, more=0.05, stop_after=0)
     begun = read_state(tmp_path / "work").more
-    made, _ = make(minutes=0.05, more=0.05)
-    assert made.rounds == 2 and read_state(tmp_path / "work").more == begun
+    made, _ = make(minutes=0.05, more=then)
+    more = read_state(tmp_path / "work").more
+    assert made.rounds == 2 and more.minutes == then and (more == begun) == (then == 0.05)
 
 
 def test_the_better_model_is_kept(make, monkeypatch):

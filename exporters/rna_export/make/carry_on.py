@@ -20,8 +20,8 @@ _LEAST = 0.1  # minutes that are worth going on for
 
 
 def go_on(state: State, work: Path, minutes: float) -> None:
-    """Begin more minutes; a run of them that was stopped goes on with its own."""
-    if state.more is not None and not state.is_finished:
+    """Begin more minutes; a run of as many that was stopped goes on."""
+    if state.more is not None and state.more.minutes == minutes and not state.is_finished:
         return
     captured = [round_ for round_ in state.rounds if round_.is_captured]
     if not captured:
