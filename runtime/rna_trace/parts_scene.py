@@ -121,6 +121,9 @@ class PartsScene(GeometryScene):
         1: the side of its geometric normals. -1: the other one. 0: both, as of a leaf, or unknown,
         as of strands and where triangles let light through.
         """
+        result = np.zeros(len(self.geometries), np.int8)
+        if self.transmits:
+            return result
         (low, high), rng = self._box, np.random.default_rng(0)
         outwards = rng.normal(size=(_RAYS_AROUND, 3))
         outwards /= np.linalg.norm(outwards, axis=1, keepdims=True)
@@ -129,11 +132,10 @@ class PartsScene(GeometryScene):
         towards = np.ascontiguousarray(towards, np.float32)
         hits = self.intersect(np.ascontiguousarray(start, np.float32), towards)
         front = np.sum(hits.ng * towards, axis=1) < 0.0
-        result = np.zeros(len(self.geometries), np.int8)
         for part, geometry in enumerate(self.geometries):
             of_part = front[hits.geometry == part]
-            if len(of_part) and not (self.transmits or isinstance(geometry, Curves)):
-                result[part] = of_part.all() * 1 - (~of_part).all() * 1
+            if len(of_part) and not isinstance(geometry, Curves):
+                result[part] = int(of_part.all()) - int(not of_part.any())
         return result
 
     def first_opaque(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:

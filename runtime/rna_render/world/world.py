@@ -230,9 +230,9 @@ class World:
         return _transformed(linear, translation, instance, points)
 
     def sides(self, instance: int) -> list[int]:
-        """`PartsScene.sides` of the parts of an instance; empty where it is no asset."""
+        """`PartsScene.sides` of an instance; empty where no scattered ray meets its parts."""
         scene = self._bodies[self._order.body[instance]].scene
-        return scene.sides.tolist() if isinstance(scene, PartsScene) else []
+        return scene.sides.tolist() if self.scatters and isinstance(scene, PartsScene) else []
 
     @property
     def assets(self) -> list[Asset]:

@@ -8,8 +8,7 @@ fn scatter(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     queries[k].at_point.part = NONE;
     let path = paths[k];
-    let v = vertex_of(path);
-    if object_catches(path.instance) == 1u || is_inside(v) {
+    if object_catches(path.instance) == 1u {
         paths[k].state = DEAD;
         return;
     }
@@ -23,6 +22,11 @@ fn scatter(@builtin(global_invocation_id) id: vec3<u32>) {
             return;
         }
         beta /= max(survival, 1e-30);
+    }
+    let v = vertex_of(path);
+    if is_inside(v) {
+        paths[k].state = DEAD;
+        return;
     }
     let u = vec3f(at_point(path.pixel, DIRECTION), at_point(path.pixel, CHOICES).y);
     var wi = vec3f(0.0);
