@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from rna_sdk.arrays import indices, scalars
 from rna_sdk.errors import QueryError
 from rna_sdk.package import BaseColor, Mesh
+from rna_sdk.package.textures.srgb import decode_srgb
 from rna_sdk.package.textures.texture_form import Texture
 from rna_sdk.runtime.kernels.base_color_kernel import CLAMP, LEVELS, MIRROR, REPEAT, look_up
 
@@ -88,14 +89,9 @@ class BaseColorMaps:
 def linear_of(color_space: str) -> Rows:
     """(256,): the linear value of each value of 8 bits."""
     value = np.arange(256, dtype=np.float32) / np.float32(255.0)
-    return srgb_to_linear(value) if color_space == "srgb" else value
-
-
-def srgb_to_linear(value: Rows) -> Rows:
-    """Linear values of encoded ones, from 0 to 1 (IEC 61966-2-1)."""
-    wide = value.astype(np.float64)
-    wide = np.where(wide <= 0.04045, wide / 12.92, ((wide + 0.055) / 1.055) ** 2.4)
-    return wide.astype(np.float32)
+    if color_space == "srgb":
+        return decode_srgb(value.astype(np.float64)).astype(np.float32)
+    return value
 
 
 def _texel_density(mesh: Mesh, record: BaseColor, of_record: slice) -> Rows:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.package.gltf.fallback_file import FallbackFile
+from rna_sdk.package.textures.srgb import decode_srgb, encode_srgb
 
 STRENGTH = "KHR_materials_emissive_strength"
 
@@ -38,7 +39,7 @@ def palette_of(emission: NDArray[np.float32], triangles: NDArray[np.uint32]) -> 
         return None
     light = emission.astype(np.float64) / strength
     bright = light.max(axis=1)
-    hues = _srgb(light / np.maximum(bright, 1e-9)[:, None])
+    hues = encode_srgb(light / np.maximum(bright, 1e-9)[:, None])
     colors = _main_colors(hues, bright)
     row = np.argmin([np.abs(hues - color).sum(axis=1) for color in colors], axis=0)
     # Dark corners of a triangle have the hue of its brightest one.
@@ -46,7 +47,7 @@ def palette_of(emission: NDArray[np.float32], triangles: NDArray[np.uint32]) -> 
     dark = bright[corners] < _DARK
     row[corners[dark]] = np.broadcast_to(row[corners[:, :1]], corners.shape)[dark]
     steps = np.linspace(0.0, 1.0, _STEPS)[:, None]
-    texels = _srgb(steps * _linear(colors)[:, None])
+    texels = encode_srgb(steps * decode_srgb(colors)[:, None])
     across = (bright * (_STEPS - 1) + 0.5) / _STEPS
     places = np.column_stack([across, (row + 0.5) / len(colors)])
     return Palette(strength, np.rint(255.0 * texels).astype(np.uint8), places)
@@ -77,13 +78,3 @@ def add_glow(file: FallbackFile, attributes: dict[str, int], palette: Palette) -
         file.extensions.add(STRENGTH)
         members["extensions"] = {STRENGTH: {"emissiveStrength": palette.strength}}
     return members
-
-
-def _srgb(linear: Array) -> Array:
-    """IEC 61966-2-1, section 5.2."""
-    curved = 1.055 * np.maximum(linear, 0.0031308) ** (1.0 / 2.4) - 0.055
-    return np.where(linear <= 0.0031308, 12.92 * linear, curved)
-
-
-def _linear(srgb: Array) -> Array:
-    return np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)

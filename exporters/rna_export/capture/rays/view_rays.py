@@ -123,21 +123,14 @@ class _Draw:
         """
         if among is None:
             return outside_rays(self.scene, n, self.region, self.rng)
-        points, normals = self.scene.sample_points(n, self.rng, among)
-        wo = directions_in(self.region, self.rng.random((n, 2)))
-        accepted = self.rng.random(n) < np.sum(wo * normals, axis=1)
-        points, normals, wo = points[accepted], normals[accepted], wo[accepted]
+        points, normals, wo = self._sent(n, among)
         free = np.isinf(self.scene.free_distance(points, normals, wo))
         away = np.float32(2.0 * self.scene.radius)
         return ViewRays(points[free] + away * wo[free], -wo[free])
 
     def close(self, n: int, among: np.ndarray | None) -> ViewRays:
         """Rays from the free space over points."""
-        points, normals = self.scene.sample_points(n, self.rng, among)
-        wo = directions_in(self.region, self.rng.random((n, 2)))
-        # As a diffuse surface sends light.
-        facing = self.rng.random(n) < np.sum(wo * normals, axis=1)
-        points, normals, wo = points[facing], normals[facing], wo[facing]
+        points, normals, wo = self._sent(n, among)
         n = len(points)
         free = self.scene.free_distance(points, normals, wo)
         open_enough = free > 0.01 * self.scene.radius  # skips what lies inside solids
@@ -145,6 +138,13 @@ class _Draw:
         distance = np.maximum(distance, 0.005 * self.scene.radius)
         origins = points + distance[:, None] * wo
         return ViewRays(origins, -wo)[open_enough]
+
+    def _sent(self, n: int, among: np.ndarray | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Points, normals and directions, as a diffuse surface sends light: at most n of each."""
+        points, normals = self.scene.sample_points(n, self.rng, among)
+        wo = directions_in(self.region, self.rng.random((n, 2)))
+        sent = self.rng.random(n) < np.sum(wo * normals, axis=1)
+        return points[sent], normals[sent], wo[sent]
 
     def both_ways(self, draw: Drawing, wanted: np.ndarray, tries: int) -> _DrawnRays:
         """Without aim first, which is cheap; then at the parts of which rays are lacking."""
