@@ -7,7 +7,7 @@ from rna_sdk.runtime import load
 from tests.hosts.c_host import CAsset, compiler
 from tests.hosts.test_c_host import random_rows, run
 from tests.package.builders import make_tiny_package
-from tests.package.carriers import CHANGES, CUTS, changed, make_carrier, opened, written
+from tests.package.carriers import broken_carriers, make_carrier, opened, written
 
 pytestmark = pytest.mark.skipif(compiler() is None, reason="needs cc and make")
 
@@ -39,10 +39,7 @@ def test_answers_and_pictures_have_the_same_bits(programs, tiny, carrier, tmp_pa
 def test_broken_carriers_have_the_codes_of_the_sdk(programs, carrier, tmp_path):
     document, blob = opened(carrier)
     paths = [written(document, blob, tmp_path / "unaligned.glb", 1)]
-    paths += [changed(carrier, tmp_path / f"{n}.glb", CHANGES[n][1]) for n in CHANGES]
-    for name, cut in CUTS.items():
-        paths.append(tmp_path / f"{name}.glb")
-        paths[-1].write_bytes(cut(carrier.read_bytes()))
+    paths += broken_carriers(carrier, tmp_path)
     for path in paths:
         result = run(programs["conform"], "validate", path)
         codes = [issue.code for issue in validate(path)]

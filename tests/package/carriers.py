@@ -99,6 +99,26 @@ CHANGES: dict[str, tuple[str, Callable[[Document], object]]] = {
         lambda d: d["nodes"][-1].update(extensions=[EXTENSION]),
     ),
     "empty_package": ("GLB_PACKAGE", lambda d: d["bufferViews"][0].update(byteLength=0)),
+    "buffer_that_is_false": ("GLB_PACKAGE", lambda d: d["bufferViews"][0].update(buffer=False)),
+    "buffer_of_null": ("GLB_PACKAGE", lambda d: d["buffers"][0].update(uri=None)),
+    "view_before_the_buffer": ("GLB_PACKAGE", lambda d: d["bufferViews"][0].update(byteOffset=-64)),
+    "view_at_null": ("GLB_PACKAGE", lambda d: d["bufferViews"][0].update(byteOffset=None)),
+    "view_far_away": ("GLB_PACKAGE", lambda d: d["bufferViews"][0].update(byteOffset=64 * 10**30)),
+    "views_of_null": ("GLB_PACKAGE", lambda d: d.update(bufferViews=None)),
+    "half_a_view": ("GLB_PACKAGE", lambda d: _record(d).update(package=0.5)),
+    "view_of_a_list": ("GLB_PACKAGE", lambda d: _record(d).update(package=[0])),
+    "view_of_long_text": ("GLB_PACKAGE", lambda d: _record(d).update(package="9" * 10**5)),
+    "type_of_a_number": ("GLB_PACKAGE", lambda d: _record(d).update(mimeType=5)),
+    "type_of_two_lines": ("GLB_PACKAGE", lambda d: _record(d).update(mimeType="a\nb\x1b[31m")),
+    "record_of_null": (
+        "GLB_NO_PACKAGE",
+        lambda d: d["nodes"][-1]["extensions"].update({EXTENSION: None}),
+    ),
+    "second_package_broken": (
+        "GLB_PACKAGE",
+        lambda d: (_second(d), _record(d).update(package="x")),
+    ),
+    "not_a_number": ("JSON_NOT_FINITE", lambda d: d["nodes"][0].update(scale=[float("nan")] * 3)),
 }
 """Name of a broken file -> its code, and what makes it of a good one's JSON."""
 
@@ -138,6 +158,12 @@ HARMLESS: dict[str, Callable[[Document], object]] = {
 """Name of an odd file -> what makes it of a good one's JSON; the package is read as before."""
 
 
+def _with_text(data: bytes, change: Callable[[bytes], bytes]) -> bytes:
+    """The file with another text in place of its JSON."""
+    at = data.index(b"BIN\0")
+    return pack_glb(change(data[20 : at - 4]), data[at + 4 :])
+
+
 def _with_length(data: bytes, length: int) -> bytes:
     """The file with another length of its binary chunk."""
     at = data.index(b"BIN\0")
@@ -157,6 +183,23 @@ CUTS: dict[str, Callable[[bytes], bytes]] = {
     "not_utf8": lambda data: pack_glb(b'{"a":"\xff"}', data[-4:]),
     "two_json_chunks": lambda data: data.replace(b"BIN\0", b"JSON", 1),
     "endless_buffer": lambda data: _with_length(data, 0xFFFFFFF0),
+    "byte_order_mark": lambda data: _with_text(data, lambda text: b"\xef\xbb\xbf" + text),
+    "utf16": lambda data: _with_text(data, lambda text: text.decode().encode("utf-16")),
+    "comment": lambda data: _with_text(data, lambda text: text.rstrip()[:-1] + b"/* */}"),
+    "padded_by_zeros": lambda data: _with_text(data, lambda text: text + bytes(64)),
+    "half_a_surrogate": lambda data: _with_text(
+        data, lambda text: text.rstrip()[:-1] + b',"extras":"\\ud800"}'
+    ),
+    "length_of_zero": lambda data: data[:8] + bytes(4) + data[12:],
     "bomb": lambda data: pack_glb(b'{"extras":[' + b"[]," * 2**22 + b"0]}", data[-4:]),
 }
 """Name of a broken file -> what makes it of a good one's bytes; the code is GLB_CONTAINER."""
+
+
+def broken_carriers(good: Path, folder: Path) -> list[Path]:
+    """All broken files, made of a good one."""
+    paths = [changed(good, folder / f"{name}.glb", CHANGES[name][1]) for name in CHANGES]
+    for name, cut in CUTS.items():
+        paths.append(folder / f"{name}.glb")
+        paths[-1].write_bytes(cut(good.read_bytes()))
+    return paths

@@ -15,10 +15,13 @@ from rna_render.command.rna_run import main
 from rna_render.image.images import read_exr
 from rna_render.materials.files.mesh_file import MeshFileWarning
 from rna_render.scene import read_scene
+from rna_render.scene.model_base import TransformModel
 from rna_render.world.scene_sources import check_files
 from rna_sdk.errors import SceneError
+from rna_sdk.files.file_kinds import glass_of
 from tests.package.carriers import Document, changed, make_carrier, opened, written
 from tests.render.assets import merged, sphere
+from tests.render.gltf_text import box_glb
 from tests.render.packages import write_lambert_package, write_lamp_package
 
 Change = Callable[[Document, bytearray], object]
@@ -245,6 +248,14 @@ BROKEN: dict[str, tuple[Callable[[Document], object], str]] = {
         lambda d: _instances(d, {"componentType": 5126, "count": 10**6, "type": "VEC3"}),
         "attributes of .1000000. items; expected one number, at most 100000",
     ),
+    "no instances": (
+        lambda d: _instances(d, {"componentType": 5126, "count": 0, "type": "VEC3"}),
+        "no node of its scene carries",
+    ),
+    "a list of instances": (
+        lambda d: d["nodes"][-1]["extensions"].update(EXT_mesh_gpu_instancing={"attributes": [0]}),
+        "a value is missing, or has another form .AttributeError 'list'",
+    ),
     "instances without an accessor": (lambda d: _instances(d, None), "cannot be read as .glb"),
     "two counts": (
         lambda d: _instances(d, {"componentType": 5126, "count": 3, "type": "VEC3"}, _ID=0),
@@ -274,6 +285,33 @@ def test_nodes_that_cannot_be_placed_are_one_line(name, carrier, capsys):
         assert re.search(rf"scene.yaml:1: assets\[0\].path: .*{words}", lines[0]), lines[0]
     else:
         assert status == 0
+
+
+def test_a_mesh_beside_that_is_endless_is_one_line(carrier, capsys):
+    def change(document: Document) -> None:
+        _red_beside(document)
+        accessor = {**document["accessors"][0], "min": [-1e38] * 3, "max": [1e38] * 3}
+        document["accessors"].append(accessor)
+        attributes = document["meshes"][1]["primitives"][0]["attributes"]
+        attributes["POSITION"] = len(document["accessors"]) - 1
+
+    glb = changed(carrier, carrier.with_name("scene.glb"), change)
+    assert main([str(glb), "--out", str(glb.with_suffix(".exr"))]) == 1
+    for line in capsys.readouterr().err.splitlines():
+        assert "scene.glb: camera." in line or "scene.glb: ground." in line
+
+
+def test_glass_beside_a_glb_is_at_each_node(carrier):
+    glb = carrier.with_name("scene.glb")
+    document, blob = opened(carrier)
+    _again(**TURNED)(document, bytearray())
+    written(document, blob, glb)
+    glass_of(glb).write_bytes(box_glb((3.0, 3.0, 3.0)))
+    scene = read_scene(glb).scene
+    assert [pane.path.name for pane in scene.objects] == ["scene.glass.glb"] * 2
+    assert [pane.transform for pane in scene.objects] == [item.transform for item in scene.assets]
+    glass_of(carrier).write_bytes(box_glb((3.0, 3.0, 3.0)))
+    assert read_scene(carrier).scene.objects[0].transform == TransformModel()
 
 
 def test_the_fallback_is_shown_as_an_object(carrier):

@@ -14,7 +14,7 @@ from rna_view.site_files import ELEMENT, viewer_file
 from tests.conftest import REPOSITORY
 from tests.package.carriers import HARMLESS, changed, make_carrier
 from tests.web.element_pages import SMALL, finished, line, loads, show
-from tests.web.gltf_files import EXTENSION, GltfFile, asset_node, write_gltf
+from tests.web.gltf_files import GltfFile, asset_node, write_gltf
 from tests.web.pages import TIMEOUT, Ranges, served_folder
 from tests.web.three.pages import TOY
 
@@ -69,54 +69,6 @@ def test_the_package_of_a_file(tmp_path):
     names = ("one.glb", "twice.glb", *odd, "plain.glb")
     expected = [*[TINY.read_bytes()] * (2 + len(odd)), plain.to_bytes()]
     assert found(*(tmp_path / name for name in names)) == list(zip(names, expected, strict=True))
-
-
-def hostile(folder: Path) -> dict[str, bytes]:
-    """Files without exactly one package, by their messages."""
-    good = write_gltf(folder / "good.glb", [TINY]).read_bytes()
-
-    def changed(**values: Any) -> bytes:
-        file = GltfFile()
-        file.view(TINY.read_bytes())
-        file.document["nodes"] = [asset_node(2)]
-        file.document["nodes"][0]["extensions"][EXTENSION] |= values
-        return file.to_bytes()
-
-    def placed(**values: Any) -> bytes:
-        file = GltfFile()
-        file.document["nodes"] = [asset_node(file.view(TINY.read_bytes()))]
-        file.document["bufferViews"][2] |= values
-        return file.to_bytes()
-
-    two = write_gltf(folder / "two.glb", [TINY, STRANDS]).read_bytes()
-    bomb = GltfFile()
-    bomb.document["extras"] = json.loads("[" * 99 + "]" * 99)
-    jumbled = bytearray(good)
-    jumbled[good.index(b"BIN\0")] = 0
-    return {
-        "GLB_SEVERAL": two,
-        "/package: expected the index of a buffer view, found null": changed(package=None),
-        "/package: expected the index of a buffer view, found -1": changed(package=-1),
-        "/bufferViews/99: no such buffer view": changed(package=99),
-        'mimeType: expected "model/vnd.rna", found "model/gltf"': changed(mimeType="model/gltf"),
-        "1073741824 bytes at 256 of": placed(byteLength=2**30),
-        "expected a view of the BIN chunk, buffer 0": placed(buffer=1),
-        "no multiple of 64 [GLB_ALIGNMENT]": placed(byteOffset=132, byteLength=100),
-        "bytes that the header says, found 3000 [GLB_CONTAINER]": good[:3000],
-        "found a chunk to byte": good[:100],
-        "expected a BIN chunk at byte": bytes(jumbled),
-        "nested too deep": bomb.to_bytes(),
-    }
-
-
-@pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
-def test_a_file_that_breaks_the_rules_has_a_line(tmp_path):
-    expected = hostile(tmp_path)
-    paths = [tmp_path / f"{k}.glb" for k in range(len(expected))]
-    for path, data in zip(paths, expected.values(), strict=True):
-        path.write_bytes(data)
-    for said, part in zip(found(*paths), expected, strict=True):
-        assert isinstance(said, str) and part in said and "\n" not in said
 
 
 ASKED = """

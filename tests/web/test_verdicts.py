@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 
 from rna_sdk.conformance.kit import find_kit, load_kit
-from rna_sdk.package import Code
+from rna_sdk.package import Code, validate
 from rna_sdk.package.issues import Severity
 from tests.fuzz.packages import stream, viewer_verdicts
 from tests.hosts.packages import broken_constants, make_profile_tier, write_profile_package
 from tests.package.builders import make_tiny_package, read_entries
+from tests.package.carriers import broken_carriers, make_carrier
 from tests.package.corpus import content_cases
 from tests.package.lobes import with_lobes
 
@@ -49,6 +50,18 @@ def test_broken_packages_of_the_kit():
         and f"unknown extension {case.extension}" not in lines
     ]
     assert wrong == []
+
+
+def test_broken_carriers_have_the_codes_of_the_sdk(tmp_path):
+    """A glTF without a package, as far as the viewer looks, is no package to it."""
+    good = make_carrier(make_tiny_package(tmp_path / "tiny.rna"), tmp_path / "good.glb")
+    paths = broken_carriers(good, tmp_path)
+    expected = [validate(path)[0].code for path in paths]
+    actual = verdicts(*(path.read_bytes() for path in paths))
+    others = {path.stem: pair for path, *pair in zip(paths, expected, actual, strict=True)}
+    others = {name: (code, verdict) for name, (code, verdict) in others.items() if code != verdict}
+    no_package = {("GLB_NO_PACKAGE", "ZIP_NOT_ZIP"), ("GLB_CONTAINER", "ZIP_NOT_ZIP")}
+    assert set(others.values()) <= no_package and len(others) <= 10, others
 
 
 def test_decoder_of_countless_layers_with_one_weight(tmp_path):

@@ -174,8 +174,9 @@ def _span(document: dict[str, Any], number: int, blob: slice) -> slice:
     if view is None:
         refuse(Code.GLB_PACKAGE, where, "no such buffer view", "an existing one")
     buffer = _item(document, "buffers", 0)
-    if view.get("buffer") != 0 or buffer is None or "uri" in buffer:
-        refuse(Code.GLB_PACKAGE, f"{where}/buffer", view.get("buffer"), "the binary chunk, 0")
+    named = view.get("buffer")
+    if not _is_size(named) or named or buffer is None or "uri" in buffer:
+        refuse(Code.GLB_PACKAGE, f"{where}/buffer", named, "the binary chunk, 0")
     start, size = view.get("byteOffset", 0), view.get("byteLength")
     sizes = _is_size(start) and _is_size(size)
     if not (sizes and size and start + size <= blob.stop - blob.start):

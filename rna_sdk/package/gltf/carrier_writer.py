@@ -91,7 +91,10 @@ def _opened(glb: Path) -> tuple[dict[str, Any], bytes]:
     buffers = document.get("buffers", [])
     if buffers and "uri" in buffers[0]:
         raise RnaError(f"{glb}: its first buffer is another file; expected it inside the .glb")
-    return document, bytes(data[place])
+    blob = bytes(data[place])
+    if buffers and buffers[0]["byteLength"] > len(blob):
+        raise RnaError(f"{glb}: its buffer is cut short: it has {len(blob)} bytes")
+    return document, blob
 
 
 def _has_package(data: memoryview) -> bool:

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 
 from rna_render.scene.gltf_container import GltfContainer, open_gltf, reason_of
 from rna_render.scene.gltf_nodes import PlacedNode, placed_nodes
+from rna_render.scene.model_base import TransformModel
 from rna_render.scene.scene_model import AssetModel, ObjectModel
 from rna_render.scene.transforms import as_transform, world_from_object
 from rna_sdk.errors import SceneError
@@ -47,15 +48,34 @@ def read_glb_scene(path: Path) -> GlbScene:
                 beside += _boxes(container, placed)
     except Exception as error:  # whatever a broken file makes Python raise
         raise SceneError(f"it cannot be read as .glb: {reason_of(error)}", file=path) from error
-    if len(packages) == 1:
+    places = np.concatenate(packages)
+    if not len(places):
         raise SceneError("no node of its scene carries the package", file=path)
-    return GlbScene(np.concatenate(packages), np.concatenate(beside))
+    return GlbScene(places, np.concatenate(beside))
 
 
 def box_corners(low: ArrayLike, high: ArrayLike) -> np.ndarray:
     """(8, 3) float64 corners of the box between (3,) corners."""
     sides = np.stack([low, high], axis=1).astype(np.float64)
     return np.stack(np.meshgrid(*sides), axis=-1).reshape(8, 3)
+
+
+def as_transforms(
+    places: np.ndarray, path: Path, outer: TransformModel | None = None
+) -> list[TransformModel]:
+    """The transforms of places in a .glb, inside an outer one.
+
+    Raises SceneError for a place that shears the package, or scales it unevenly.
+    """
+    outer = outer or TransformModel()
+    world_from_file = world_from_object(outer)
+    try:
+        return [
+            outer if np.array_equal(place, np.eye(4)) else as_transform(world_from_file @ place)
+            for place in places
+        ]
+    except ValueError as error:
+        raise SceneError(f"a node with the package: {error}", file=path) from error
 
 
 def _boxes(container: GltfContainer, placed: PlacedNode) -> list[np.ndarray]:
@@ -75,19 +95,14 @@ def expanded(asset: AssetModel, path: Path) -> tuple[list[AssetModel], list[Obje
     """The contents of an entry of a scene: an asset for each place in a .glb, and its other meshes.
 
     path: of the asset, as it can be opened. Raises PackageError and SceneError, as
-    `read_glb_scene`, and SceneError where a node shears the package, or scales it unevenly.
+    `read_glb_scene` and `as_transforms`.
     """
     if asset.alone or not is_glb_scene(path):
         return [asset], []
-    places, world_from_file = read_glb_scene(path), world_from_object(asset.transform)
-    assets = []
-    for place in places.packages:
-        transform = asset.transform
-        if not np.array_equal(place, np.eye(4)):
-            try:
-                transform = as_transform(world_from_file @ place)
-            except ValueError as error:
-                raise SceneError(f"a node with the package: {error}", file=path) from error
-        assets.append(asset.model_copy(update={"alone": True, "transform": transform}))
+    places = read_glb_scene(path)
+    assets = [
+        asset.model_copy(update={"alone": True, "transform": transform})
+        for transform in as_transforms(places.packages, path, asset.transform)
+    ]
     beside = ObjectModel(path=asset.path, transform=asset.transform, fallbacks=False)
     return assets, [beside] if len(places.beside) else []

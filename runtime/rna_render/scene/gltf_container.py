@@ -139,7 +139,7 @@ def reason_of(error: Exception) -> str:
     said = " ".join(str(error).split())[:_LONGEST_REASON]
     if isinstance(error, ValueError) and said:
         return said
-    return f"{type(error).__name__} {said}".strip()
+    return f"a value is missing, or has another form ({type(error).__name__} {said})"
 
 
 def open_gltf(path: Path) -> GltfContainer:

@@ -110,20 +110,17 @@ def read_scene(path: Path) -> SceneFile:
         size = check_regular(path).st_size
     except OSError as error:
         raise SceneError(error.strerror or str(error), file=path) from error
+    data: object
+    lines: dict[Key, int]
     if kind_of(path) == "package":
-        scene = Scene.model_validate(default_scene(path))
-        return _expanded(SceneFile(path, scene, {}))  # no lines: the person has no file with them
-    if (wrong := not_a("scene", path)) is not None:
+        data, lines = default_scene(path), {}  # the person has no file with lines
+    elif (wrong := not_a("scene", path)) is not None:
         raise SceneError(wrong, file=path)
-    if size > MAX_SCENE_BYTES:
+    elif size > MAX_SCENE_BYTES:
         message = f"has {size} bytes; a scene file has at most {MAX_SCENE_BYTES}"
         raise SceneError(message, file=path)
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        reason = getattr(error, "strerror", None) or "is not UTF-8 text"
-        raise SceneError(reason, file=path) from error
-    data, lines = _parse(path, text)
+    else:
+        data, lines = _parse(path)
     try:
         scene = Scene.model_validate(data)
     except ValidationError as error:
@@ -163,7 +160,12 @@ def _with_paths(part: Any, resolve: Callable[[Path], Path]) -> Any:
     return part
 
 
-def _parse(path: Path, text: str) -> tuple[object, dict[Key, int]]:
+def _parse(path: Path) -> tuple[object, dict[Key, int]]:
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        reason = getattr(error, "strerror", None) or "is not UTF-8 text"
+        raise SceneError(reason, file=path) from error
     lines: dict[Key, int] = {}
     try:
         loader = CoreLoader(text)

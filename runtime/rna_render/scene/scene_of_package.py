@@ -12,7 +12,12 @@ from typing import Any
 import numpy as np
 
 from rna_render.scene.core_yaml import dump_yaml
-from rna_render.scene.glb_scene import box_corners, is_glb_scene, read_glb_scene
+from rna_render.scene.glb_scene import (
+    as_transforms,
+    box_corners,
+    is_glb_scene,
+    read_glb_scene,
+)
 from rna_sdk.errors import SceneError
 from rna_sdk.files.file_kinds import glass_of
 from rna_sdk.package import Cone, Curves, Package
@@ -43,7 +48,7 @@ class Shown:
 
     low, high: (3,) corners of the asset's box, metres. points: (n, 3), the image shows them all.
     emits: whether it has light of its own. wo, wi: cones of the directions that it was captured
-    for; none for all. glass: name of the file with its smooth glass; None for none.
+    for; none for all. glass: its smooth glass at each place, as objects of a scene.
     """
 
     low: np.ndarray
@@ -52,7 +57,7 @@ class Shown:
     emits: bool = False
     wo: tuple[Cone, ...] = ()
     wi: tuple[Cone, ...] = ()
-    glass: str | None = None
+    glass: tuple[dict[str, Any], ...] = ()
 
     @property
     def size(self) -> float:
@@ -77,6 +82,11 @@ def shown(package: Path) -> Shown:
             () if isinstance(region, str) else region
             for region in (manifest.domain.wo, manifest.domain.wi)
         )
+    panes, glass = [], glass_of(package)
+    if glass.is_file():
+        panes, corners = [{"path": glass.name}], _box_corners(glass)
+        points = np.concatenate([points, corners])
+        low, high = np.minimum(low, corners.min(axis=0)), np.maximum(high, corners.max(axis=0))
     if is_glb_scene(package):
         places, beside = read_glb_scene(package)
         if len(beside) or not np.array_equal(places, np.eye(4)[None]):
@@ -84,13 +94,9 @@ def shown(package: Path) -> Shown:
             moved = corners @ places[:, :3, :3].swapaxes(1, 2) + places[:, None, :3, 3]
             points = np.concatenate([moved.reshape(-1, 3), beside])
             low, high = points.min(axis=0), points.max(axis=0)
-    glass = glass_of(package)
-    if not glass.is_file():
-        return Shown(low, high, points, emits, wo, wi)
-    corners = _box_corners(glass)
-    points = np.concatenate([points, corners])
-    low, high = np.minimum(low, corners.min(axis=0)), np.maximum(high, corners.max(axis=0))
-    return Shown(low, high, points, emits, wo, wi, glass.name)
+            transforms = [t.model_dump(exclude_unset=True) for t in as_transforms(places, package)]
+            panes = [{**pane, "transform": t} for pane in panes for t in transforms]
+    return Shown(low, high, points, emits, wo, wi, tuple(panes))
 
 
 def _box_corners(glb: Path) -> np.ndarray:
@@ -124,8 +130,8 @@ def scene_values(of: Shown, name: str) -> dict[str, Any]:
     places = max(0, 4 - math.floor(math.log10(of.size)))  # less than a thousandth of the size
     middle, towards_eye = (of.low + of.high) / 2, _within(_EYE, of.wo)
     scene: dict[str, Any] = {"assets": [{"path": name}]}
-    if of.glass is not None:
-        scene["objects"] = [{"path": of.glass}]
+    if of.glass:
+        scene["objects"] = list(of.glass)
     if towards_eye[1] > 0.0:  # the eye is above the ground
         (height,) = _rounded(np.array([of.low[1] - _GAP * of.size]), places)
         scene["ground"] = {"height": height, "material": _GREY}

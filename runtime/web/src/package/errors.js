@@ -1,8 +1,10 @@
 // What is wrong with a package: one line with the code of spec/ISSUES.md and the place.
 
+const LONGEST = 400;  // characters: a value may be as long as its file
+
 export class PackageError extends Error {
   constructor(code, where, text) {
-    super(`${where ? where + ": " : ""}${text} [${code}]`);
+    super(`${where ? where + ": " : ""}${text.slice(0, LONGEST)} [${code}]`);
     this.code = code;
     this.where = where;
   }

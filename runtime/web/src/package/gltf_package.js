@@ -19,7 +19,7 @@ export async function packageIn(source) {
   if (!new TextDecoder().decode(bytes).includes(`"${EXTENSION}"`)) return source;
   if (total !== size) wrong(`expected the ${total} bytes that the header says, found ${size}`);
   const [binLength, binKind] = bin + CHUNK <= size ? await words(bin, 2) : [0, BIN_CHUNK], start = bin + CHUNK;
-  if (binKind !== BIN_CHUNK || start + binLength > size) wrong(`expected a BIN chunk at byte ${bin}, found another, or one that ends behind the file`);
+  if (bin < size && (binKind !== BIN_CHUNK || start + binLength > size)) wrong(`expected a BIN chunk at byte ${bin}, found another, or one that ends behind the file`);
   const packages = [...packagesIn(parseJson(bytes, name, "GLB_CONTAINER"), { start, length: binLength }, name).values()];
   if (packages.length > 1) fail("GLB_SEVERAL", name, `expected one package, found ${packages.length}: RNAExtension of rna-three shows scenes of several`);
   return packages.length ? source.part(...packages[0]) : source;
@@ -30,7 +30,7 @@ export function packagesIn(json, bin, name) {
   const nodes = Array.isArray(json.nodes) ? json.nodes : [], packages = new Map();
   nodes.forEach((node, k) => {
     const record = node?.extensions?.[EXTENSION];
-    if (record === undefined) return;
+    if (record == null) return;
     const where = `${name}: /nodes/${k}/extensions/${EXTENSION}`;
     if (record?.mimeType !== MEDIA_TYPE) fail("GLB_PACKAGE", `${where}/mimeType`, `expected "${MEDIA_TYPE}", found ${JSON.stringify(record?.mimeType)}`);
     if (!isSize(record.package)) fail("GLB_PACKAGE", `${where}/package`, `expected the index of a buffer view, found ${JSON.stringify(record.package)}`);
@@ -43,7 +43,7 @@ function spanOf({ bufferViews, buffers }, index, bin, where) {
   const view = bufferViews?.[index], { buffer, byteOffset = 0, byteLength } = view ?? {}, start = bin.start + byteOffset;
   if (!view) fail("GLB_PACKAGE", where, "no such buffer view");
   if (buffer !== 0 || !buffers?.[0] || "uri" in buffers[0]) fail("GLB_PACKAGE", where, "expected a view of the BIN chunk, buffer 0");
-  if (!isSize(byteOffset) || !isSize(byteLength) || byteOffset + byteLength > bin.length) fail("GLB_PACKAGE", where, `${byteLength} bytes at ${byteOffset} of ${bin.length}`);
+  if (!isSize(byteOffset) || !isSize(byteLength) || !byteLength || byteOffset + byteLength > bin.length) fail("GLB_PACKAGE", where, `${byteLength} bytes at ${byteOffset} of ${bin.length}`);
   if (start % ALIGNMENT) fail("GLB_ALIGNMENT", where, `begins at byte ${start} of the file, no multiple of ${ALIGNMENT}`);
   return [start, start + byteLength];
 }
