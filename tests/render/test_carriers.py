@@ -16,6 +16,7 @@ from rna_render.image.images import read_exr
 from rna_render.materials.files.mesh_file import MeshFileWarning
 from rna_render.scene import read_scene
 from rna_render.scene.model_base import TransformModel
+from rna_render.world import scene_sources
 from rna_render.world.scene_sources import check_files
 from rna_sdk.errors import SceneError
 from rna_sdk.files.file_kinds import glass_of
@@ -248,13 +249,15 @@ BROKEN: dict[str, tuple[Callable[[Document], object], str]] = {
         lambda d: _instances(d, {"componentType": 5126, "count": 10**6, "type": "VEC3"}),
         "attributes of .1000000. items; expected one number, at most 100000",
     ),
+    "no such node": (lambda d: d["scenes"][0].update(nodes=[1, -1]), "nodes has no item -1"),
+    "no such scene": (lambda d: d.update(scene=-1), "scenes has no item -1"),
     "no instances": (
         lambda d: _instances(d, {"componentType": 5126, "count": 0, "type": "VEC3"}),
         "no node of its scene carries",
     ),
     "a list of instances": (
         lambda d: d["nodes"][-1]["extensions"].update(EXT_mesh_gpu_instancing={"attributes": [0]}),
-        "a value is missing, or has another form .AttributeError 'list'",
+        "a value has another type than it should",
     ),
     "instances without an accessor": (lambda d: _instances(d, None), "cannot be read as .glb"),
     "two counts": (
@@ -287,6 +290,15 @@ def test_nodes_that_cannot_be_placed_are_one_line(name, carrier, capsys):
         assert status == 0
 
 
+@pytest.mark.parametrize("name", ["flat", "uneven scale", "endless transform"])
+def test_a_glb_that_cannot_be_placed_is_one_line(name, carrier, capsys):
+    change, words = BROKEN[name]
+    glb = changed(carrier, carrier.with_name("scene.glb"), change)
+    assert main([str(glb), "--out", str(glb.with_suffix(".exr"))]) == 1
+    (line,) = capsys.readouterr().err.splitlines()
+    assert re.search(rf"scene.glb: .*{words}", line), line
+
+
 def test_a_mesh_beside_that_is_endless_is_one_line(carrier, capsys):
     def change(document: Document) -> None:
         _red_beside(document)
@@ -312,6 +324,18 @@ def test_glass_beside_a_glb_is_at_each_node(carrier):
     assert [pane.transform for pane in scene.objects] == [item.transform for item in scene.assets]
     glass_of(carrier).write_bytes(box_glb((3.0, 3.0, 3.0)))
     assert read_scene(carrier).scene.objects[0].transform == TransformModel()
+
+
+def test_a_file_of_many_nodes_is_read_once(carrier, monkeypatch):
+    def change(document: Document) -> None:
+        document["nodes"] += [document["nodes"][-1] | {"children": []}] * 50
+        document["scenes"][0]["nodes"] += range(2, 52)
+
+    glb, read = changed(carrier, carrier.with_name("scene.glb"), change), []
+    monkeypatch.setattr(scene_sources, "read_with", lambda path: read.append(path) or [])
+    scene = read_scene(glb)
+    assert len(scene.scene.assets) == 51
+    assert scene_sources.files_of(scene) == [glb, glb] and read == [glb]
 
 
 def test_the_fallback_is_shown_as_an_object(carrier):

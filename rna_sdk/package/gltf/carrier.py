@@ -164,7 +164,7 @@ def _view_number(node: int, record: object) -> int:
         refuse(Code.GLB_PACKAGE, f"{where}/mimeType", record.get("mimeType"), MIME_TYPE)
     number = record.get("package")
     if not _is_size(number):
-        refuse(Code.GLB_PACKAGE, f"{where}/package", number, "a buffer view's number")
+        refuse(Code.GLB_PACKAGE, f"{where}/package", repr(number), "a buffer view's number")
     return number
 
 

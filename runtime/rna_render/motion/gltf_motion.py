@@ -17,12 +17,10 @@ from rna_render.materials.files.gltf_file import (
 )
 from rna_render.materials.files.mesh_parts import check_mesh_size
 from rna_render.motion.gltf_clip import Track, clip_names, duration, read_clip
-from rna_render.scene.gltf_container import GltfContainer, open_gltf
+from rna_render.scene.gltf_container import GltfContainer, open_gltf, reason_of
 from rna_render.scene.gltf_nodes import local_matrix, roots
 from rna_render.scene.limits import MAX_NUMBER
 from rna_sdk.errors import MotionError, SceneError
-
-_LONGEST = 400  # characters of a reason, which may quote a whole buffer
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -88,7 +86,7 @@ class GltfMotion:
             raise MotionError(f"{self.path}: has no clip {clip!r}; it has {', '.join(names)}")
         self._nodes = container.json.get("nodes", [])
         skins = container.json.get("skins", [])
-        self._order = list(_parents_first(container.json, self._nodes))
+        self._order = list(_parents_first(container))
         shown = [(n, data) for n, _ in self._order for data in _primitives(container, n)]
         _check_size(container, skins, [data for _, data in shown])
         self._skins = [_skin(container, skin) for skin in skins]
@@ -116,7 +114,7 @@ class GltfMotion:
         except OSError as error:
             raise MotionError(f"{self.path}: {error.strerror or error}") from error
         except Exception as error:
-            raise MotionError(f"{self.path}: is no valid glTF file: {_reason(error)}") from error
+            raise MotionError(f"{self.path}: is no valid glTF file: {reason_of(error)}") from error
 
     def _posed(self, moved: dict[tuple[int, str], np.ndarray], bare: bool = False) -> np.ndarray:
         """The vertices with some properties of nodes moved. bare: no skins and morphs."""
@@ -163,24 +161,13 @@ class GltfMotion:
         return world
 
 
-def _reason(error: Exception) -> str:
-    """The fault of a file, from the error of reading it."""
-    if isinstance(error, KeyError):
-        return f"the property {error} is missing"
-    if isinstance(error, IndexError):
-        return "an index is beyond the last item"
-    if isinstance(error, TypeError | AttributeError):
-        return "a property has another type than glTF gives it"
-    return str(error)[:_LONGEST]
-
-
-def _parents_first(
-    document: dict[str, Any], nodes: list[dict[str, Any]]
-) -> Iterator[tuple[int, int | None]]:
+def _parents_first(container: GltfContainer) -> Iterator[tuple[int, int | None]]:
     """Each node of the scene and its parent, after that; joints outside the scene as well."""
-    seen: set[int] = set()
+    document, seen = container.json, set[int]()
     joints = [j for skin in document.get("skins", []) for j in skin["joints"]]
-    parents = {c: k for k, node in enumerate(nodes) for c in node.get("children", ())}
+    parents = {
+        c: k for k, node in enumerate(document.get("nodes", ())) for c in node.get("children", ())
+    }
 
     def top(number: int) -> int:
         """The root above, or a node below the root above an earlier joint."""
@@ -188,7 +175,7 @@ def _parents_first(
             number = parents.pop(number)
         return number
 
-    first = roots(document, nodes)
+    first = roots(container)
     stack: list[tuple[int, int | None]] = [(r, None) for r in (*first, *map(top, joints))]
     stack.reverse()
     while stack:
@@ -198,7 +185,10 @@ def _parents_first(
         if number not in seen:
             seen.add(number)
             yield number, parent
-            stack += [(child, number) for child in reversed(nodes[number].get("children", ()))]
+            stack += [
+                (child, number)
+                for child in reversed(container.item("nodes", number).get("children", ()))
+            ]
 
 
 def _primitives(container: GltfContainer, number: int) -> Iterable[dict[str, Any]]:

@@ -41,7 +41,7 @@ class GltfContainer:
 
     def accessor(self, number: int) -> np.ndarray:
         """The numbers of an accessor: (count, width), in their own dtype or decoded float32."""
-        accessor = self._item("accessors", number)
+        accessor = self.item("accessors", number)
         dtype, width = np.dtype(DTYPES[accessor["componentType"]]), WIDTHS[accessor["type"]]
         count = self.count(number)
         if accessor.get("bufferView") is not None:
@@ -64,23 +64,24 @@ class GltfContainer:
 
     def count(self, number: int) -> int:
         """Number of items of an accessor. Raises ValueError if the file's value is no count."""
-        count = self._item("accessors", number)["count"]
+        count = self.item("accessors", number)["count"]
         if not isinstance(count, int) or count < 0:
             raise ValueError(f"accessor {number} has a count of {count!r}")
         return count
 
     def image(self, number: int) -> tuple[Path | bytes, object]:
         """An image's file or bytes, and its name in messages."""
-        image = self._item("images", number)
+        image = self.item("images", number)
         if "bufferView" in image:
-            view = self._item("bufferViews", image["bufferView"])
+            view = self.item("bufferViews", image["bufferView"])
             return self._view_bytes(view), f"{self.path}, image {number}"
         if image["uri"].startswith("data:"):
             return _data_uri(image["uri"]), f"{self.path}, image {number}"
         path = self._beside(image["uri"])
         return path, path
 
-    def _item(self, name: str, number: int) -> dict[str, Any]:
+    def item(self, name: str, number: int) -> dict[str, Any]:
+        """An object of an array of the document. Raises ValueError if it has no such item."""
         items: list[dict[str, Any]] = self.json[name]
         if not 0 <= number < len(items):
             raise ValueError(f"{name} has no item {number}")
@@ -88,7 +89,7 @@ class GltfContainer:
 
     def _rows(self, place: dict[str, Any], dtype: np.dtype, width: int, count: int) -> np.ndarray:
         """Items of a buffer view, with gaps of its stride: (count, width)."""
-        view = self._item("bufferViews", place["bufferView"])
+        view = self.item("bufferViews", place["bufferView"])
         data, start = self._view_bytes(view), place.get("byteOffset", 0)
         size = dtype.itemsize * width
         stride = view.get("byteStride", size)
@@ -110,7 +111,7 @@ class GltfContainer:
 
     def _buffer(self, number: int) -> bytes:
         if number not in self._buffers:
-            buffer = self._item("buffers", number)
+            buffer = self.item("buffers", number)
             self._buffers[number] = self._buffer_bytes(buffer)
         return self._buffers[number]
 
@@ -135,11 +136,15 @@ class GltfContainer:
 
 
 def reason_of(error: Exception) -> str:
-    """A line of why a broken file raised it, of whatever type it is."""
+    """The fault of a broken file in a line, from the error of reading it, of whatever type."""
     said = " ".join(str(error).split())[:_LONGEST_REASON]
-    if isinstance(error, ValueError) and said:
-        return said
-    return f"a value is missing, or has another form ({type(error).__name__} {said})"
+    if isinstance(error, KeyError):
+        return f"{said} is missing or unknown"
+    if isinstance(error, IndexError):
+        return "an index is beyond the last item"
+    if isinstance(error, TypeError | AttributeError):
+        return "a value has another type than it should"
+    return said if isinstance(error, ValueError) else f"{type(error).__name__} {said}".strip()
 
 
 def open_gltf(path: Path) -> GltfContainer:

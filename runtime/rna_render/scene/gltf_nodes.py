@@ -34,15 +34,14 @@ def placed_nodes(container: GltfContainer, fallbacks: bool = True) -> Iterator[P
     fallbacks: whether the nodes below a package are among them. Raises whatever Python raises
     for a document that is not valid.
     """
-    document = container.json
-    nodes, seen = document.get("nodes", []), set()
-    stack = [(np.eye(4), root) for root in reversed(roots(document, nodes))]
+    seen = set()
+    stack = [(np.eye(4), root) for root in reversed(roots(container))]
     while stack:
         world_from_parent, number = stack.pop()
         if number in seen:
             raise ValueError(f"node {number} is in its scene twice")
         seen.add(number)
-        node = nodes[number]
+        node = container.item("nodes", number)
         matrix = world_from_parent @ local_matrix(node)
         placed = PlacedNode(node, matrix @ _instances(container, node))
         if fallbacks or not placed.has_package:
@@ -50,10 +49,12 @@ def placed_nodes(container: GltfContainer, fallbacks: bool = True) -> Iterator[P
         yield placed
 
 
-def roots(document: dict[str, Any], nodes: list[dict[str, Any]]) -> list[int]:
+def roots(container: GltfContainer) -> list[int]:
     """The root nodes of the default scene, or of the file if it has no scenes."""
+    document = container.json
     if "scenes" in document:
-        return list(document["scenes"][document.get("scene", 0)].get("nodes", ()))
+        return list(container.item("scenes", document.get("scene", 0)).get("nodes", ()))
+    nodes = document.get("nodes", [])
     children = {child for node in nodes for child in node.get("children", ())}
     return [number for number in range(len(nodes)) if number not in children]
 

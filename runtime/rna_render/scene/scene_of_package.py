@@ -82,9 +82,10 @@ def shown(package: Path) -> Shown:
             () if isinstance(region, str) else region
             for region in (manifest.domain.wo, manifest.domain.wi)
         )
-    panes, glass = [], glass_of(package)
-    if glass.is_file():
-        panes, corners = [{"path": glass.name}], _box_corners(glass)
+    glass = glass_of(package)
+    panes: list[dict[str, Any]] = [{"path": glass.name}] if glass.is_file() else []
+    if panes:
+        corners = _box_corners(glass)
         points = np.concatenate([points, corners])
         low, high = np.minimum(low, corners.min(axis=0)), np.maximum(high, corners.max(axis=0))
     if is_glb_scene(package):

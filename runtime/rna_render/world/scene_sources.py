@@ -54,7 +54,7 @@ def contents_key(scene_file: SceneFile) -> str:
 
 def files_of(scene_file: SceneFile) -> list[Path]:
     """The scene file, the files that it names, and those existing ones that these refer to."""
-    named = [scene_file.resolve(path) for path in named_paths(scene_file.scene)]
+    named = dict.fromkeys(map(scene_file.resolve, named_paths(scene_file.scene)))
     return [scene_file.path, *(file for path in named for file in (path, *read_with(path)))]
 
 
@@ -71,7 +71,10 @@ def _files(scene_file: SceneFile) -> tuple[list[Path], list[Path]]:
 
 def check_files(scene_file: SceneFile) -> None:
     """Raises SceneError, with file, line and key, where a file that the scene names is missing."""
+    first: dict[tuple[Key, Path], Key] = {}
     for key, path in _keyed_paths(scene_file.scene, ()):
+        first.setdefault((key[:1], path), key)
+    for (_, path), key in first.items():
         scene_file.check(key, scene_file.resolve(path))
 
 
