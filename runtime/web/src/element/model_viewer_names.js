@@ -5,7 +5,7 @@ const OURS = {
   "environment-image": "environment", "skybox-image": "environment with skybox", "skybox-height": "skybox, of which the image is far away",
   "shadow-intensity": "ground, on an opaque background-color", "shadow-softness": "ground, whose shadow is as soft as the lights are wide",
   "tone-mapping": "view-transform", autoplay: MOTION, "animation-name": MOTION, "animation-crossfade-duration": MOTION, ar: AR, "ar-modes": AR,
-  "ar-scale": AR, "ar-placement": AR, "ios-src": AR, "xr-environment": AR, orientation: "camera-orbit, or light-rotation", scale: "camera-orbit, whose radius says how near",
+  "ar-scale": AR, "ar-placement": AR, "ar-usdz-max-texture-size": AR, "ios-src": AR, "xr-environment": AR, orientation: "camera-orbit, or light-rotation", scale: "camera-orbit, whose radius says how near",
   "with-credentials": "nothing: files are asked for with the cookies of their own site alone", "disable-tap": "nothing: a tap moves no camera",
   "interaction-prompt-threshold": "interaction-prompt", "interaction-prompt-style": "interaction-prompt", bounds: "nothing: the whole asset is framed",
   "orbit-sensitivity": "nothing: a gesture has one speed", "zoom-sensitivity": "nothing: a gesture has one speed", "pan-sensitivity": "nothing: a gesture has one speed",
