@@ -127,8 +127,12 @@ def test_a_sharp_poster_stays_until_the_picture_is_as_sharp(page, folder, url):
     steps = page.evaluate("steps")
     assert steps[1][3] and all(hidden == (scale == 1) for scale, _, hidden, _ in steps[1:])
     assert page.evaluate("count('poster-dismissed', 'one')") == 1
-    page.evaluate("one.showPoster(), one.cameraOrbit = '10deg 60deg 4m', 0")
+    # A coarse picture does not show through a poster's holes.
+    faded = "getComputedStyle(one.stage.canvas).filter"
+    assert page.evaluate(f"one.showPoster(), {faded}") == "opacity(0)"
+    page.evaluate("one.cameraOrbit = '10deg 60deg 4m', 0")
     page.wait_for("one.parts.poster.hidden", TIMEOUT)
+    assert page.evaluate(faded) == "none"
 
 
 @pytest.mark.chromium

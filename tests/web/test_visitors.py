@@ -43,6 +43,10 @@ def test_without_webgpu(page, folder, url):
         "model.glb: expected a package, found a glTF file: rna-make makes a package of it, "
         "as rna-make model.glb --out model.rna [ZIP_NOT_ZIP]"
     )
+    # Visitors are told nothing of an asset that the page does not want, until it does.
+    assert page.evaluate(SHOWN % "two") is None
+    page.evaluate("two.src = 'tiny.rna', 0")
+    page.wait_for(f"{SHOWN % 'two'} !== null", TIMEOUT)
     # The line goes where there is a poster, and stays where there is nothing.
     page.wait_for(f"{SHOWN % 'one'} === null", TIMEOUT)
     assert page.evaluate(SHOWN % "three") == "Sorry"

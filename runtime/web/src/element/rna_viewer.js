@@ -395,9 +395,9 @@ export class RnaViewer extends (globalThis.HTMLElement ?? Object) {
     return isPoster || this.stage.standIn.isShown || (this.loaded && !!this.stage.viewer);
   }
 
-  /** Whether the asset is seen, or may be soon, in whatever way. */
+  /** Whether the asset is seen, or may be soon, in whatever way; or none is wanted. */
   get isStoodFor() {
-    return this.stage.standIn.isShown || !!this.stage.loading;
+    return this.stage.standIn.isShown || !!this.stage.loading || !(this.settings.src ?? this.stage.scene?.asset);
   }
 
   _hidePoster() {

@@ -34,6 +34,7 @@ const STYLE = `
 canvas { display: block; }
 #view > :last-child { transition: opacity 0.3s; }
 #view.standing > :last-child { opacity: 0; transition: none; }
+#view:has(~ #poster:not([hidden]) img:not([hidden])) canvas { filter: opacity(0); }
 canvas:focus-visible { outline: none; }
 #view:has(> :focus-visible)::after { content: ""; position: absolute; inset: 0; outline: 2px solid #fff; outline-offset: -2px; pointer-events: none; }
 :host([camera-controls]:not([camera-controls="false"])) canvas { cursor: grab; }
