@@ -93,6 +93,23 @@ def broken_file() -> GltfFile:
     return file
 
 
+def odd_bytes() -> bytes:
+    """Nodes of no instances and of endless ones in one place, and a chunk behind the usual two."""
+    file = GltfFile()
+    package = file.view(SURFACE.read_bytes())
+    for name, count in (("TRANSLATION", 0), ("_ID", 2**31)):
+        accessor = {"componentType": 5126, "count": count, "type": "VEC3"}
+        file.document["accessors"].append(accessor)
+        node = asset_node(package)
+        attributes = {"attributes": {name: len(file.document["accessors"]) - 1}}
+        node["extensions"]["EXT_mesh_gpu_instancing"] = attributes
+        file.document.setdefault("nodes", []).append(node)
+    file.document["scenes"] = [{"nodes": [0, 1]}]
+    data = bytearray(file.to_bytes() + bytes([4, 0, 0, 0]) + b"ACME" + bytes(4))
+    data[8:12] = len(data).to_bytes(4, "little")
+    return bytes(data)
+
+
 @pytest.fixture(scope="module")
 def page(tmp_path_factory):
     folder = tmp_path_factory.mktemp("gltf")
@@ -108,6 +125,7 @@ def page(tmp_path_factory):
     }
     for name, file in files.items():
         (folder / f"{name}.glb").write_bytes(file.to_bytes())
+    (folder / "odd.glb").write_bytes(odd_bytes())
     with opened(folder, PAGE.name, 96, 60) as page:
         page.wait_for("!!globalThis.test", TIMEOUT)
         yield page
@@ -174,6 +192,17 @@ def test_instances(page, name, package):
     assert np.count_nonzero(first) > 250
     error = np.mean((first - second) ** 2)
     assert 10 * np.log10(np.max(first) ** 2 / error) > 60
+
+
+def test_odd_instances_and_chunks(page):
+    actual = run(
+        page,
+        """
+        const { children } = (await load("odd.glb")).scene;
+        return children.map(({ children }) => children.map(({ count }) => count));
+        """,
+    )
+    assert actual == [[], [1]]
 
 
 def test_joints_below_a_package_move_other_meshes(page):

@@ -7,6 +7,7 @@ import { read } from "./reading.js";
 import { canShow, hasWebGPU } from "./stand_in.js";
 
 const INSTANCING = "EXT_mesh_gpu_instancing", PLACES = ["TRANSLATION", "ROTATION", "SCALE"];
+const HEADERS = 28;  // bytes: of a .glb, and of its JSON and BIN chunks
 const INSTEAD = "glTF files show their fallback";
 
 export class RNAExtension {
@@ -18,8 +19,8 @@ export class RNAExtension {
 
   /** Reads the packages. Of nodes that are shown by one GLTFLoader then loads no mesh, and of those below the places alone: joints of other meshes. */
   async beforeRoot() {
-    const { parser, renderer } = this, { json } = parser, { header, body } = parser.extensions.KHR_binary_glTF ?? {};
-    const bin = { start: (header?.length ?? 0) - (body?.byteLength ?? 0), length: body?.byteLength ?? 0 };
+    const { parser, renderer } = this, { json } = parser, { content = "", body } = parser.extensions.KHR_binary_glTF ?? {};
+    const bin = { start: HEADERS + new TextEncoder().encode(content).length, length: body?.byteLength ?? 0 };
     let packages = new Map();
     try {
       packages = packagesIn(json, bin, "glTF");
@@ -73,14 +74,14 @@ export class RNAExtension {
       these.forEach((place, k) => mesh.setMatrixAt(k, new Matrix4().makeScale(side, 1, 1).multiply(place)));
       return mesh;
     }));
-    return new Group().add(...meshes);
+    return meshes.reduce((group, mesh) => group.add(mesh), new Group());
   }
 
   /** The matrices of instances. */
   async _places(attributes) {
-    const { parser } = this, p = new Vector3(), q = new Quaternion(), s = new Vector3(1, 1, 1);
-    const [place, turn, size] = await Promise.all(PLACES.map((name) => name in attributes && parser.getDependency("accessor", attributes[name])));
-    const length = parser.json.accessors[Object.values(attributes)[0]]?.count ?? 0;
+    const p = new Vector3(), q = new Quaternion(), s = new Vector3(1, 1, 1);
+    const [place, turn, size] = await Promise.all(PLACES.map((name) => attributes?.[name] !== undefined && this.parser.getDependency("accessor", attributes[name])));
+    const length = (place || turn || size)?.count ?? 1;  // all in one place without any
     return Array.from({ length }, (_, k) => {
       if (place) p.fromBufferAttribute(place, k);
       if (turn) q.fromBufferAttribute(turn, k);
