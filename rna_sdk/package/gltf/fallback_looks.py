@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePosixPath
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,16 +16,6 @@ from rna_sdk.package.textures.normal_maps import NormalMap
 from rna_sdk.package.textures.transmittance import Transmittance
 
 
-class _Range(Protocol):
-    """A range of triangles."""
-
-    @property
-    def first(self) -> int: ...
-
-    @property
-    def count(self) -> int: ...
-
-
 @dataclass(frozen=True)
 class Print:
     """An image of base colour on a range of triangles, as a texture of glTF can have it."""
@@ -35,6 +25,10 @@ class Print:
     image: str
     factor: tuple[float, float, float]
     wrap: tuple[Wrap, Wrap]
+
+
+_Range = Transmittance | NormalMap | Print
+"""Of triangles, with a texture of its own."""
 
 
 def prints_of(records: Sequence[BaseColorRecord], holes: Sequence[Transmittance]) -> list[Print]:

@@ -3,7 +3,6 @@
 `rna-run` renders these values, and `rna-make` writes them beside a package as a scene file.
 """
 
-import json
 import math
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,6 +17,7 @@ from rna_render.scene.glb_scene import (
     is_glb_scene,
     read_glb_scene,
 )
+from rna_render.scene.gltf_container import open_gltf
 from rna_sdk.errors import SceneError
 from rna_sdk.files.file_kinds import glass_of
 from rna_sdk.package import Cone, Curves, Package
@@ -106,9 +106,7 @@ def _box_corners(glb: Path) -> np.ndarray:
     Raises SceneError for a file that is none.
     """
     try:
-        data = glb.read_bytes()
-        size = int.from_bytes(data[12:16], "little")
-        accessors = json.loads(data[20 : 20 + size])["accessors"]
+        accessors = open_gltf(glb).json["accessors"]
         ranges = [(a["min"], a["max"]) for a in accessors if "min" in a]
         low, high = np.min([a for a, _ in ranges], axis=0), np.max([b for _, b in ranges], axis=0)
         return box_corners(low, high)
