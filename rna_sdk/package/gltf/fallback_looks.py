@@ -28,7 +28,7 @@ class Print:
 
 
 _Range = Transmittance | NormalMap | Print
-"""Of triangles, with a texture of its own."""
+"""Ranges of triangles with textures of their own."""
 
 
 def prints_of(records: Sequence[BaseColorRecord], holes: Sequence[Transmittance]) -> list[Print]:
