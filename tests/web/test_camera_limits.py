@@ -1,17 +1,11 @@
 """Limits of the element's camera, in model-viewer's syntax."""
 
 import json
-import shutil
-import subprocess
 from typing import Any
 
 import pytest
 
-from tests.conftest import REPOSITORY
-
-ELEMENT_SOURCES = REPOSITORY / "runtime" / "web" / "src" / "element"
-
-pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
+from tests.web.in_node import ELEMENT_SOURCES, in_node
 
 
 def views(settings: dict[str, str], *acts: str) -> list[dict[str, Any]]:
@@ -31,9 +25,7 @@ def views(settings: dict[str, str], *acts: str) -> list[dict[str, Any]]:
         for (const act of {json.dumps(acts)}) (new Function("orbit", act)(orbit), tell());
         console.log(JSON.stringify(found));
     """
-    command = ["node", "--input-type=module", "-e", program]
-    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=300)
-    return json.loads(done.stdout)
+    return in_node(program)
 
 
 def numbers(view: dict[str, Any]) -> list[float]:

@@ -2,9 +2,6 @@
 
 import json
 import re
-import shutil
-import subprocess
-from typing import Any
 
 import numpy as np
 import pytest
@@ -14,10 +11,10 @@ from rna_view.site_files import ELEMENT, LIGHT, viewer_file
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package
 from tests.web.element_pages import SMALL, Static, finished, line, loads, show, visit
+from tests.web.in_node import ELEMENT_SOURCES, in_node
 from tests.web.pages import TIMEOUT
 from tests.web.test_page import write_image
 
-ELEMENT_SOURCES = REPOSITORY / "runtime" / "web" / "src" / "element"
 AGAIN = "one.stage.engine && one.stage.engine !== before && one.stage.viewer?.stats.rounds"
 TWO = f"""
 <rna-viewer id="one" src="tiny.rna" alt="A tiny thing" camera-controls interpolation-decay="0"
@@ -26,7 +23,6 @@ TWO = f"""
 """
 
 
-@pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
 def test_attributes_are_read_and_written_as_model_viewers():
     given = {
         "camera-orbit": [
@@ -54,9 +50,7 @@ def test_attributes_are_read_and_written_as_model_viewers():
         orbit.place([read("camera-orbit", "-30deg 60deg 2.5m"), said], box, 1.5);
         console.log(JSON.stringify({{ ...found, camera: cameraText(orbit) }}));
     """
-    command = ["node", "--input-type=module", "-e", program]
-    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
-    actual: dict[str, Any] = json.loads(done.stdout)
+    actual = in_node(program)
     orbits = actual["camera-orbit"]
     assert orbits[0] == {"azimuth": 0, "elevation": 0, "distance": 2, "share": None}
     assert orbits[1] == {"azimuth": 1, "elevation": None, "distance": 1.5, "share": None}

@@ -1,25 +1,16 @@
 """Fingers, mouse and wheel: what they do is known before anything moves."""
 
-import json
-import shutil
-import subprocess
 from pathlib import Path
 
 import pytest
 
-from tests.conftest import REPOSITORY
-
-POINTER = REPOSITORY / "runtime" / "web" / "src" / "ui" / "pointer.js"
-
-pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
+from tests.web.in_node import SOURCES, in_node
 
 
 @pytest.fixture(scope="module")
 def heard():
     """By gesture of gestures.mjs: the actions, with their values."""
-    command = ["node", str(Path(__file__).parent / "gestures.mjs"), POINTER.as_uri()]
-    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
-    return json.loads(done.stdout)
+    return in_node(Path(__file__).parent / "gestures.mjs", (SOURCES / "ui" / "pointer.js").as_uri())
 
 
 def test_a_finger_that_scrolls_the_page_moves_nothing(heard):

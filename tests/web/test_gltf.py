@@ -3,7 +3,6 @@
 import io
 import json
 import shutil
-import subprocess
 from base64 import b64decode
 from pathlib import Path
 from typing import Any, ClassVar
@@ -15,10 +14,10 @@ from tests.conftest import REPOSITORY
 from tests.package.carriers import HARMLESS, changed, make_carrier
 from tests.web.element_pages import SMALL, finished, line, loads, show
 from tests.web.gltf_files import GltfFile, asset_node, write_gltf
+from tests.web.in_node import SOURCES, in_node
 from tests.web.pages import TIMEOUT, Ranges, served_folder
 from tests.web.three.pages import TOY
 
-SOURCES = REPOSITORY / "runtime" / "web" / "src" / "package"
 KIT = REPOSITORY / "spec" / "conformance" / "packages"
 TINY, STRANDS = KIT / "surface-tiny.rna", KIT / "fiber-float16.rna"
 FOUND = """
@@ -41,17 +40,15 @@ console.log(JSON.stringify(said));
 def found(*paths: Path) -> list[tuple[str, bytes] | str]:
     """What comes of each file in node: its name and the package's bytes, or a line."""
     program = FOUND.format(
-        module=(SOURCES / "gltf_package.js").as_uri(),
-        source=(SOURCES / "source.js").as_uri(),
+        module=(SOURCES / "package" / "gltf_package.js").as_uri(),
+        source=(SOURCES / "package" / "source.js").as_uri(),
         files=json.dumps({path.name: str(path) for path in paths}),
     )
-    command = ["node", "--input-type=module", "-e", program]
-    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
-    said = json.loads(done.stdout)
-    return [one if isinstance(one, str) else (one[0], b64decode(one[1])) for one in said]
+    return [
+        one if isinstance(one, str) else (one[0], b64decode(one[1])) for one in in_node(program)
+    ]
 
 
-@pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
 def test_the_package_of_a_file(tmp_path):
     """Also where several nodes show it, bytes follow it, or the file is odd."""
     file = GltfFile()
@@ -93,7 +90,6 @@ console.log(JSON.stringify({{ ranges, read: Buffer.concat(read).toString("base64
 """
 
 
-@pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
 @pytest.mark.parametrize("before", [0, 2**20])
 def test_the_ends_of_a_package_come_at_once(tmp_path, before):
     """Where it begins with the file, what came with the JSON is not asked for again."""
@@ -104,13 +100,11 @@ def test_the_ends_of_a_package_come_at_once(tmp_path, before):
     data = file.to_bytes()
     (tmp_path / "a.glb").write_bytes(data)
     program = ASKED.format(
-        module=(SOURCES / "gltf_package.js").as_uri(),
-        source=(SOURCES / "source.js").as_uri(),
+        module=(SOURCES / "package" / "gltf_package.js").as_uri(),
+        source=(SOURCES / "package" / "source.js").as_uri(),
         path=tmp_path / "a.glb",
     )
-    command = ["node", "--input-type=module", "-e", program]
-    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
-    actual, start, size = json.loads(done.stdout), data.index(package), len(package)
+    actual, start, size = in_node(program), data.index(package), len(package)
     heads = [[0, 65535], *([[start, start + 65535]] if before else [])]
     ends = [[start + size - 16384, start + size - 1], [start + 70000, start + 89999]]
     assert actual["ranges"] == heads + ends

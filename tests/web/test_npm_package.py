@@ -7,10 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import REPOSITORY
+from tests.web.in_node import ELEMENT_SOURCES, in_node
 from tests.web.three.pages import packed
 
-ELEMENT_SOURCES = REPOSITORY / "runtime" / "web" / "src" / "element"
 REACT = """import { RnaViewer as Viewer } from "rna-viewer/react";
 import type { RnaViewer, RnaViewerEvents } from "rna-viewer";
 export const page = (
@@ -76,9 +75,7 @@ def test_manifest_of_the_element_names_all_attributes(package):
         import {{ READERS }} from "{(ELEMENT_SOURCES / "attributes.js").as_uri()}";
         console.log(JSON.stringify(Object.keys(READERS)));
     """
-    command = ["node", "--input-type=module", "-e", program]
-    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=300)
-    names = json.loads(done.stdout)
+    names = in_node(program)
     (module,) = json.loads((package / "custom-elements.json").read_text())["modules"]
     (element,) = module["declarations"]
     assert [record["name"] for record in element["attributes"]] == names

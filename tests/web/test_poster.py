@@ -2,24 +2,20 @@
 
 import io
 import json
-import shutil
-import subprocess
 
 import numpy as np
 import pytest
 from PIL import Image
 
 from rna_export.export.poster_rendering import first_view, render_poster
-from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package
 from tests.web.element_pages import finished, loads, show
+from tests.web.in_node import ELEMENT_SOURCES, in_node
 from tests.web.pages import TIMEOUT
 
-ELEMENT_SOURCES = REPOSITORY / "runtime" / "web" / "src" / "element"
 SLOPE = np.tan(np.radians(15))
 
 
-@pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
 @pytest.mark.parametrize("size", [[0.4, 0.8, 0.4], [10.0, 0.2, 0.2], [1.0, 1.0, 1.0]])
 def test_the_poster_has_the_viewers_camera(size):
     box = {"min": [-x / 2 for x in size], "max": [x / 2 for x in size]}
@@ -29,10 +25,8 @@ def test_the_poster_has_the_viewers_camera(size):
         orbit.place([], {json.dumps(box)}, 1.6);
         console.log(JSON.stringify([orbit.distance, orbit.azimuth, orbit.elevation, orbit.fov]));
     """
-    command = ["node", "--input-type=module", "-e", program]
-    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
     distance, slopes = first_view(np.array(size))
-    assert json.loads(done.stdout) == pytest.approx([distance, 0.6, 0.35, 30])
+    assert in_node(program) == pytest.approx([distance, 0.6, 0.35, 30])
     assert max(slopes[0] / 1.6, slopes[1]) == pytest.approx(SLOPE)
 
 
@@ -74,12 +68,9 @@ await viewer.stop();
 """
 
 
-@pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
 def test_the_first_picture_is_drawn_once():
     program = DRAWS.format(address=(ELEMENT_SOURCES / "viewer.js").as_uri())
-    command = ["node", "--input-type=module", "-e", program]
-    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
-    assert int(done.stdout) == 40
+    assert in_node(program) == 40
 
 
 LEFT = """

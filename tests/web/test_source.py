@@ -1,15 +1,13 @@
 """Bytes that the viewer fetches: never more than it asked for, nor more than fit."""
 
 import json
-import shutil
-import subprocess
 from typing import Any
 
 import pytest
 
-from tests.conftest import REPOSITORY
+from tests.web.in_node import SOURCES, in_node
 
-SOURCE = REPOSITORY / "runtime" / "web" / "src" / "package" / "source.js"
+SOURCE = SOURCES / "package" / "source.js"
 PROGRAM = """
 import { UrlSource } from "%s";
 globalThis.location = { href: "http://here/" };
@@ -49,8 +47,6 @@ console.log(JSON.stringify({ result, sent, cancelled, ranges }));
 """
 HEAD = {"status": 206, "headers": {"Content-Range": "bytes 0-65535/1000000"}, "bytes": 65536}
 
-pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
-
 
 REFUSED = {"refused": True}
 
@@ -58,9 +54,7 @@ REFUSED = {"refused": True}
 def fetched(*answers: dict[str, Any], address: str = "http://there/a.rna") -> dict[str, Any]:
     """What becomes of answers of a server."""
     program = PROGRAM % (SOURCE.as_uri(), json.dumps(answers), address)
-    command = ["node", "--input-type=module", "-e", program]
-    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
-    return json.loads(done.stdout)
+    return in_node(program)
 
 
 def test_a_file_comes_whole_or_in_ranges():

@@ -1,26 +1,18 @@
 """What the element says: to visitors in their language, to makers of pages in the console."""
 
-import json
-import shutil
-import subprocess
 from pathlib import Path
 
 import pytest
 
-from tests.conftest import REPOSITORY
+from tests.web.in_node import ELEMENT_SOURCES, in_node
 
-ELEMENT_SOURCES = REPOSITORY / "runtime" / "web" / "src" / "element"
 GROUND = "ground: expected an opaque background-color"
-
-pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
 
 
 @pytest.fixture(scope="module")
 def told():
     program = Path(__file__).parent / "element_texts.mjs"
-    command = ["node", str(program), ELEMENT_SOURCES.as_uri()]
-    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
-    return json.loads(done.stdout)
+    return in_node(program, ELEMENT_SOURCES.as_uri())
 
 
 def test_ten_languages_have_every_text(told):
