@@ -3,7 +3,6 @@
 import io
 from collections.abc import Mapping
 from pathlib import PurePosixPath
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -64,16 +63,11 @@ class FallbackFile:
         form = {"componentType": gltf.UNSIGNED_SHORT, "normalized": True, "type": kind}
         return self.add("accessors", {"bufferView": view, "count": len(rows), **form})
 
-    def texture(self, pixels: NDArray[np.uint8]) -> dict[str, int]:
-        """A texture that repeats, of (h, w, 3 or 4)."""
+    def texture(self, pixels: NDArray[np.uint8], is_palette: bool = False) -> dict[str, int]:
+        """A texture of (h, w, 3 or 4); a palette does not repeat, and its texels are not mixed."""
         png = _png(pixels)
-        return self._texture(self.append(png), len(png), "image/png", REPEAT)
-
-    def palette(self, texels: NDArray[np.uint8]) -> dict[str, int]:
-        """A texture of (h, w, 3) that does not repeat, and is not averaged where it is small."""
-        png = _png(texels)
-        start = self.append(png)
-        return self._texture(start, len(png), "image/png", CLAMP, _WITHOUT_MIPMAPS)
+        form = (CLAMP, _WITHOUT_MIPMAPS) if is_palette else (REPEAT, {})
+        return self._texture(self.append(png), len(png), "image/png", *form)
 
     def texture_of(self, entry: str, wrap: tuple[Wrap, Wrap] = REPEAT) -> dict[str, int]:
         """A texture that is an image of the package."""
@@ -81,7 +75,7 @@ class FallbackFile:
             data, start = self._package.entry(entry)
             start = self.append(data) if start is None else start
             kind = IMAGES[PurePosixPath(entry).suffix]
-            self._textures[entry, wrap] = self._texture(start, len(data), kind, wrap)
+            self._textures[entry, wrap] = self._texture(start, len(data), kind, wrap, {})
         return self._textures[entry, wrap]
 
     def packed(self, **asset: str) -> bytes:
@@ -107,7 +101,7 @@ class FallbackFile:
         size: int,
         kind: str,
         wrap: tuple[Wrap, Wrap],
-        filters: Mapping[str, int] = MappingProxyType({}),
+        filters: Mapping[str, int],
     ) -> dict[str, int]:
         image = self.add("images", {"bufferView": self.view(start, size), "mimeType": kind})
         sampler = dict(zip(("wrapS", "wrapT"), (_WRAPS[side] for side in wrap), strict=True))

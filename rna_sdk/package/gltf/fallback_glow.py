@@ -71,7 +71,7 @@ def add_glow(file: FallbackFile, attributes: dict[str, int], palette: Palette) -
     """
     number = int("TEXCOORD_0" in attributes)
     attributes[f"TEXCOORD_{number}"] = file.coordinates(palette.places)
-    texture = {**file.palette(palette.texels), "texCoord": number}
+    texture = {**file.texture(palette.texels, is_palette=True), "texCoord": number}
     factor = [min(palette.strength, 1.0)] * 3
     members: dict[str, Any] = {"emissiveTexture": texture, "emissiveFactor": factor}
     if palette.strength > 1.0:

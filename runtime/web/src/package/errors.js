@@ -1,10 +1,8 @@
 // What is wrong with a package: one line with the code of spec/ISSUES.md and the place.
 
-const LONGEST = 400;  // characters: a value may be as long as its file
-
 export class PackageError extends Error {
   constructor(code, where, text) {
-    super(`${where ? where + ": " : ""}${text.slice(0, LONGEST)} [${code}]`);
+    super(`${where ? where + ": " : ""}${text.slice(0, 400)} [${code}]`);  // a value may be as long as its file
     this.code = code;
     this.where = where;
   }
