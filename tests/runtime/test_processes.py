@@ -86,6 +86,12 @@ query = np.ones((1, graph.columns), np.float32)
 def call():
     return graph.run(query)
 """
+LOADS = """
+from rna_sdk.runtime import load
+
+def call():
+    return load({path!r}).mesh.positions
+"""
 COMPILER = """
 import itertools
 from rna_sdk.machine.compiled import compiled
@@ -107,8 +113,13 @@ def test_all_ways_to_start_processes_give_the_parents_bits(tmp_path):
 @forks
 @pytest.mark.parametrize(
     ("before", "count"),
-    [(KERNELS.format(path=str(TOY)), 40), (SESSION, 150), (COMPILER, 5)],
-    ids=["kernels", "onnxruntime", "compiler"],
+    [
+        (KERNELS.format(path=str(TOY)), 40),
+        (LOADS.format(path=str(TOY)), 40),
+        (SESSION, 150),
+        (COMPILER, 5),
+    ],
+    ids=["kernels", "loads", "onnxruntime", "compiler"],
 )
 def test_a_fork_at_any_moment_does_not_hang(before, count):
     program = FORKS.format(before=before, count=count)
