@@ -128,6 +128,28 @@ def test_a_fork_at_any_moment_does_not_hang(before, count):
     assert done.returncode == 0, done.stderr
 
 
+OUTLIVES = """
+import threading, time
+{kernels}
+expected = call()
+main = threading.main_thread()
+
+def late():
+    main.join()
+    time.sleep(0.2)
+    print(np.array_equal(call(), expected))
+
+threading.Thread(target=late).start()
+"""
+
+
+def test_a_thread_evaluates_after_the_main_thread_has_ended():
+    """Executors refuse work by then: a RuntimeError reached the caller."""
+    program = "import numpy as np\n" + OUTLIVES.format(kernels=KERNELS.format(path=str(TOY)))
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert (done.stdout, done.stderr) == ("True\n", "")
+
+
 @compiled(rows="numbers results")
 def _double(numbers: np.ndarray, results: np.ndarray) -> None:
     for i in range(len(numbers)):
