@@ -160,6 +160,7 @@ class Tracer:
         ray = dr.detach(ray)
         alive = (on_plain & dr.any(weight != 0)) | (on_asset & (pdf > 0))
         pi, hits, passed = self._intersect(ray, at.start_instance, state.sampler, alive)
+        alive &= ~self._world.is_inside(hits, ray, alive)  # black
         far = dr.minimum(dr.select(pi.is_valid(), pi.t, dr.inf), hits.t)
         if not self._has_environment:
             alive &= dr.isfinite(far)  # a ray into nothing brings nothing

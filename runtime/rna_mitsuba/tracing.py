@@ -1,10 +1,12 @@
 """Rays against one package, in its object space: closest hits and visibility."""
 
 from collections.abc import Sequence
+from functools import cached_property
 from typing import Any, ClassVar
 
 import drjit as dr
 import mitsuba as mi
+import numpy as np
 
 from rna_mitsuba.points import FiberGeometry, MeshGeometry, Points
 from rna_mitsuba.rest import RestMesh, RestStrands
@@ -14,6 +16,7 @@ from rna_sdk.runtime import DeformedCurves, DeformedMesh
 Shape = DeformedMesh | DeformedCurves
 
 NO_STRAND = 0xFFFFFFFF
+_RAYS_AROUND = 16_384  # that tell from which side a part is seen
 _PASSED = 0.5  # transmittance, the mean of its channels, from which columns of light go on
 _STEP = 2.0**-18  # of the largest coordinate: how far beyond a hit a ray goes on
 
@@ -68,6 +71,35 @@ class PackageScene:
         self.diagonal = float(dr.norm(self._scene.bbox().extents()))
         self.transmits = any(g.transmits for g in self.geometries)
         self.is_plain = not (self.transmits or any(g.is_fiber for g in self.geometries))
+
+    @cached_property
+    def sides(self) -> list[int]:
+        """Side from which each part is seen from around the asset.
+
+        1: the side of its geometric normals. -1: the other one. 0: both, as of a leaf, or unknown,
+        as of strands and where triangles let light through.
+        """
+        if self.transmits:
+            return [0] * len(self.geometries)
+        rng, box = np.random.default_rng(0), self._scene.bbox()
+        outwards = mi.Vector3f(rng.normal(size=(3, _RAYS_AROUND)))
+        start = mi.Point3f(box.center()) + self.diagonal * dr.normalize(outwards)
+        aim = mi.Point3f(box.min) + box.extents() * mi.Vector3f(rng.random((3, _RAYS_AROUND)))
+        d = dr.normalize(aim - start)
+        hits = self.closest(start, d, mi.Float(dr.inf), mi.Bool(True))
+        return [self._side(part, hits, d) for part in range(len(self.geometries))]
+
+    def _side(self, part: int, hits: Hits, d: mi.Vector3f) -> int:
+        if self.geometries[part].is_fiber:
+            return 0
+        here = dr.isfinite(hits.t) & (hits.part == part)
+        front = (self.facing(part, hits, d, here).numpy() < 0)[here.numpy()]
+        return int(front.all()) - int(not front.any()) if len(front) else 0
+
+    def facing(self, part: int, hits: Hits, d: mi.Vector3f, active: mi.Bool) -> mi.Float:
+        """Product of d and of the geometric normals, not of unit length, of hits on a mesh."""
+        a, b, c = self.geometries[part].corners_of(hits.primitive, active)
+        return dr.dot(dr.cross(b - a, c - a), d)
 
     def query(
         self, part: int, hits: Hits, points: Points, at: dict[str, Any], active: mi.Bool

@@ -64,6 +64,7 @@ class World:
         self.counts_nearby = any(part.nearby is not None for part in every)
         self.emits = any(shape.loaded.emits for shape in shapes)
         self.transmits = any(shape.loaded.scene.transmits for shape in shapes)
+        self._sides = [shape.loaded.scene.sides for shape in shapes]  # not in the loop of paths
 
     def closest(
         self,
@@ -121,6 +122,17 @@ class World:
                 for first, lobes in shape.loaded.mixtures[part]:
                     mixture = dr.select(here & (hits.primitive >= first), lobes, mixture)
         return points, wo, mixture
+
+    def is_inside(self, hits: AssetHits, ray: mi.Ray3f, active: mi.Bool) -> mi.Bool:
+        """Whether scattered rays meet parts from the inside of solids, which nothing captures."""
+        result = mi.Bool(False)
+        for k, (shape, place) in enumerate(zip(self._shapes, self._places, strict=True)):
+            d, scene = place.object_direction(ray.d), shape.loaded.scene
+            for part, side in enumerate(self._sides[k]):
+                if side:
+                    here = active & (hits.instance == k) & (hits.part == part)
+                    result |= here & (side * scene.facing(part, hits, d, here) > 0)
+        return result
 
     def to_world_points(self, instance: mi.UInt32, x: mi.Point3f) -> mi.Point3f:
         """Points from the object space of their instances to world space."""

@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 
 from tests.conformance.conftest import KIT
+from tests.render.assets import sphere
+from tests.render.packages import write_lambert_package
 from tests.render.studio import one_thread
 from tests.render.test_second_opinion import LEVEL, coarser, student_limit, welch
 
@@ -71,6 +73,22 @@ def test_nearby_light_of_one_ray_a_sample_is_the_same(name, tmp_path):
         1,
     )
     assert_both_alike(pair, 16, tmp_path)
+
+
+def test_the_inside_of_a_solid_is_black_to_scattered_rays(tmp_path):
+    """On the ground inside a ball the sun does not shine, nor does the ball's inside."""
+    import rna_mitsuba
+    from tests.mitsuba.scene_pairs import Pair, Theirs, ground, sun
+
+    ball = tmp_path / "ball.rna"
+    write_lambert_package(ball, sphere(3))
+    entries = {
+        "ball": rna_mitsuba.asset(ball),
+        "ground": ground((0.8, 0.8, 0.8)),
+        "sun": sun((0, 1, 0), (2, 2, 2)),
+    }
+    camera = {"position": (0.1, 0.3, 0.1), "look_at": (0.2, 0, 0.1), "vertical_fov_deg": 20}
+    assert (Theirs(Pair({}, entries, camera, max_depth=3), SIZE, 4)(0) == 0).all()
 
 
 def assert_both_alike(pair: Pair, samples: int, tmp_path: Path) -> None:

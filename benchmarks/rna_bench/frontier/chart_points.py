@@ -38,6 +38,7 @@ def _point(record: Record, precision: str, point: Point, costs: Costs | None) ->
         "family": trial.family,
         "tables": trial.tables,
         **model.model_dump(mode="json"),
+        "nearby": record.nearby,
         "steps": trial.preset.training.steps,
         "training_seconds": record.seconds,
         "curve": record.curve,

@@ -29,6 +29,7 @@ class Record(BaseModel, extra="forbid", frozen=True):
     curve: tuple[tuple[int, float], ...] = Field(
         (), description="steps done and PSNR in PyTorch, of each validation while it trained"
     )
+    nearby: tuple[float, ...] = Field((), description="lengths of nearby light, metres")
 
     def write(self, folder: Path) -> None:
         """Write `record.json`; with it the trial is finished."""

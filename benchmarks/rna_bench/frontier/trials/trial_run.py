@@ -14,7 +14,7 @@ from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.training.checkpoint import Trained, load_checkpoint, load_progress
 from rna_export.training.model.neural_asset import NeuralAsset
-from rna_export.training.optimization.samples import SampleTable
+from rna_export.training.nearby_choice import run_on
 from rna_export.training.report import read_curves
 from rna_export.training.training_run import Run, train
 from rna_export.training.validation import shade
@@ -29,20 +29,20 @@ def run_trial(
     dataset: DatasetPart,
     folder: Path,
     device: str,
-    table: SampleTable | None = None,
+    samples: dict[str, np.ndarray] | None = None,
 ) -> Record:
     """Train, export and measure, skipping finished steps in `folder`; returns the record.
 
-    A finished training without some of `TRIAL_PRECISIONS` gets those alone. table: the dataset's
-    samples on the device, to share between trials. Raises `TrainingError` when the folder belongs
-    to another trial, `ExportError` when the model cannot be exported.
+    A finished training without some of `TRIAL_PRECISIONS` gets those alone. Nearby light is counted
+    as by `rna-train`. samples: the dataset's, to share between trials. Raises `TrainingError` when
+    the folder belongs to another trial, `ExportError` when the model cannot be exported.
     """
     source = dataset.manifest.source_sha256
     record = read_record(folder, trial, source)
     if record is not None and not missing_precisions(record):
         return record
     folder.mkdir(parents=True, exist_ok=True)
-    seconds = record.seconds if record else _finish(_run(trial, dataset, folder, device), table)
+    seconds = record.seconds if record else _finish(_run(trial, dataset, folder, device), samples)
     trained = load_checkpoint(folder / "best.ckpt", _model_class(trial))
     if trial.has_planes:
         points = dict(record.points) if record else {}
@@ -57,6 +57,7 @@ def run_trial(
         seconds=seconds,
         points=points,
         curve=tuple((int(row["step"]), row["psnr"]) for row in read_curves(folder)),
+        nearby=trained.model.config.nearby,
     )
     record.write(folder)
     (folder / "last.ckpt").unlink(missing_ok=True)
@@ -87,20 +88,21 @@ def _model_class(trial: Trial) -> type[NeuralAsset]:
     return NeuralAsset if trial.has_planes else NetworkAsset
 
 
-def _finish(run: Run, table: SampleTable | None) -> float:
+def _finish(run: Run, samples: dict[str, np.ndarray] | None) -> float:
     """Train to the end; returns the seconds of all calls, stopped ones included."""
     finished = run.out / "seconds.txt"
     if finished.is_file():
         return float(finished.read_text())
     before = steps_done(run.out, run.model_class)
+    chosen, table = run_on(run, "auto", samples or run.dataset.training_samples())
     clock = time.perf_counter if run.device == "cuda" else time.process_time
     start = clock()
-    train(run, table)
+    train(chosen, table)
     total = steps_done(run.out, run.model_class)
     if total == before:
         # It was stopped between its last step and the file that says how long it took.
         (run.out / "last.ckpt").unlink()
-        return _finish(run, table)
+        return _finish(run, samples)
     seconds = (clock() - start) * total / (total - before)
     write_atomically(finished, f"{seconds:.1f}\n".encode())
     return seconds

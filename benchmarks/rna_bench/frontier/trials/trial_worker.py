@@ -6,10 +6,11 @@ from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
 from rna_bench.frontier.trials.trial import Trial
 from rna_bench.frontier.trials.trial_record import Record
 from rna_export.capture.dataset.dataset_folder import Dataset
-from rna_export.training.optimization.samples import SampleTable
 
 _LINES = 3  # of a log, in an error
 
@@ -40,7 +41,7 @@ class TrialWorker:
 
     def __init__(self, dataset: Path, threads: int, device: str, name: str) -> None:
         self._folder, self._threads, self._device = dataset, threads, device
-        self._table: SampleTable | None = None
+        self._samples: dict[str, np.ndarray] | None = None
 
     def __enter__(self) -> "TrialWorker":
         from rna_export.machine import keep_freed_memory
@@ -60,9 +61,9 @@ class TrialWorker:
 
         job.folder.mkdir(parents=True, exist_ok=True)
         with _log(job.folder / "log.txt"):
-            if self._table is None:
-                self._table = SampleTable(self._dataset.training_samples(), device=self._device)
-            return run_trial(job.trial, self._dataset, job.folder, self._device, self._table)
+            if self._samples is None:
+                self._samples = self._dataset.training_samples()
+            return run_trial(job.trial, self._dataset, job.folder, self._device, self._samples)
 
     def kill(self) -> None:
         """The worker is a process, and is ended with it."""
