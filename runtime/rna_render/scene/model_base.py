@@ -35,7 +35,7 @@ def _repeated(count: int) -> BeforeValidator:
 
 def _is_number(value: object) -> bool:
     """Whether a key of one number would take it: quoted numbers are numbers there, too."""
-    if isinstance(value, bool) or not isinstance(value, int | float | str):
+    if not isinstance(value, int | float | str):
         return False
     try:
         return math.isfinite(float(value))
