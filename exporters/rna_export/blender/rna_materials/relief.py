@@ -39,30 +39,15 @@ def bump_of(material: bpy.types.Material, normal: Source | None) -> Bump | str |
     normal: where its shaders' normal comes from.
     """
     if normal is not None:
-        node = normal[0]
-        if node.type != "BUMP":
-            return None
-        bump, upon = _bump(normal, "Strength", "Distance"), _normal_before(normal)
-        sign = -1.0 if node.invert else 1.0
-        return (
-            bump._replace(distance=sign * bump.distance, upon=upon)
-            if isinstance(bump, Bump)
-            else bump
-        )
+        return _bump(normal, "Strength", "Distance") if normal[0].type == "BUMP" else None
     output = surface_output(material)
     if output is None or material.displacement_method != "BUMP":
         return None
     source = origin(output.inputs["Displacement"], ())
     if source is None or source[0].type != "DISPLACEMENT":
         return None
-    if _normal_before(source):
-        return f"the node {source[0].bl_label!r} upon another normal"
     bump = _bump(source, None, "Scale")
     return bump._replace(scales=source[0].space == "OBJECT") if isinstance(bump, Bump) else bump
-
-
-def _normal_before(source: Source) -> tuple[Source, ...]:
-    return tuple(sources(source[0].inputs["Normal"], source[2]))
 
 
 def _bump(source: Source, strength: str | None, distance: str) -> Bump | str | None:
@@ -71,11 +56,15 @@ def _bump(source: Source, strength: str | None, distance: str) -> Bump | str | N
     height = origin(node.inputs["Height"], inside)
     if height is None:
         return None
+    upon = tuple(sources(node.inputs["Normal"], inside))
+    if upon and strength is None:
+        return f"the node {node.bl_label!r} upon another normal"
     values = [own_value(node.inputs[name], inside) for name in (strength, distance) if name]
     if any(value is None for value in values):
         return f"the node {node.bl_label!r} whose strength or distance varies"
     numbers = [value[0] for value in values if value is not None]
-    return Bump(height, numbers[-1], max(numbers[0], 0.0) if strength else 1.0)
+    distance_m = -numbers[-1] if strength and node.invert else numbers[-1]
+    return Bump(height, distance_m, max(numbers[0], 0.0) if strength else 1.0, upon=upon)
 
 
 class ReliefOfUv(ColourOfUv):  # type: ignore[misc]
