@@ -8,7 +8,7 @@ import os
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import cache
 
 from rna_sdk.machine.cores import core_count
@@ -71,7 +71,10 @@ def share(run: Callable[[Iterator[int]], None], starts: Sequence[int], threads: 
     """
     left = iter(starts)
     others = min(threads, len(starts)) - 1
-    running = [_helpers.pool.submit(run, left) for _ in range(others)]
+    running = []
+    with suppress(RuntimeError):  # once the main thread has ended, executors take no work
+        for _ in range(others):
+            running.append(_helpers.pool.submit(run, left))
     try:
         run(left)
     finally:

@@ -32,7 +32,8 @@ def in_region(region: Region, directions: NDArray[np.float32]) -> NDArray[np.boo
     axes = np.array([cone.axis for cone in region])
     axes /= np.linalg.norm(axes, axis=1, keepdims=True)
     cosines = np.cos([cone.half_angle for cone in region]).astype(np.float32)
-    return np.asarray((directions @ axes.T.astype(np.float32) >= cosines - _ROUNDING).any(axis=1))
+    dots = np.einsum("nc,kc->nk", directions, axes.astype(np.float32))
+    return np.asarray((dots >= cosines - _ROUNDING).any(axis=1))
 
 
 _ROUNDING = np.float32(1e-6)

@@ -9,6 +9,7 @@ import OpenEXR
 import pytest
 
 from rna_export.capture.blender_process import exchanged_files
+from rna_export.capture.blender_process.blender_process import BlenderProcess, Source
 from rna_export.capture.blender_process.exchanged_files import read_render
 from rna_export.pictures import write_picture
 from rna_export.training.checkpoint import save_checkpoint
@@ -40,6 +41,13 @@ def test_an_image_of_blender_that_is_not_whole(tmp_path, monkeypatch):
     monkeypatch.setattr(exchanged_files, "_LITTLE", 1 << 62)  # as if no space were left
     with pytest.raises(CaptureError, match=r"out\.exr: .* is not whole: No space left on device"):
         read_render(path)
+
+
+def test_a_blender_that_ends(tmp_path, monkeypatch):
+    monkeypatch.setattr(exchanged_files, "_LITTLE", 1 << 62)
+    worker = BlenderProcess(Path("/bin/false"), Source(tmp_path / "a.py"), tmp_path / "w", 1, "w")
+    with pytest.raises(CaptureError, match=r"/w: No space left on device$"), worker:
+        pass
 
 
 def test_a_checkpoint_and_a_picture(tmp_path, monkeypatch):

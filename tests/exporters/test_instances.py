@@ -172,6 +172,13 @@ def test_a_linked_library_moves_with_its_folder(open_worker, save_blend, tmp_pat
     np.testing.assert_allclose(positions.min(axis=0), [2, -1, -1], atol=0.02)
 
 
+def test_a_material_of_a_library_is_judged(open_worker, save_blend, tmp_path):
+    material = "item.data.materials.append(principled(Metallic=1.0))\n"
+    save_blend(tmp_path / "library.blend", LIBRARY + material)
+    (facts,) = open_worker(save_blend(tmp_path / "scene.blend", LINKED)).opened["materials"]
+    assert facts["kinds"] == ["metal"] and "library.blend" in facts["fullName"]
+
+
 def test_a_missing_library_is_named(open_worker, save_blend, tmp_path):
     library = save_blend(tmp_path / "library.blend", LIBRARY)
     path = save_blend(tmp_path / "scene.blend", LINKED)

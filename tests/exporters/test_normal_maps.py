@@ -200,6 +200,21 @@ tree.links.new(picture.outputs[0], node.inputs["Height"])
 tree.links.new(node.outputs[0], end.inputs["Displacement"])
 material.displacement_method = "BUMP"
 """
+UPON_BUMP = """
+coarse, upper = bump(Distance=0.06), bump(Distance=0.02, Strength=0.7)
+tree.links.new(coarse.outputs[0], upper.inputs["Normal"])
+"""
+UPON_MAP = """
+waves = [(0.5 + 0.2 * math.sin(2 * math.pi * k / side), 0.6, 0.95, 1.0) for k in range(side**2)]
+leaning = bpy.data.images.new("leaning", side, side, float_buffer=True)
+leaning.colorspace_settings.name = "Non-Color"
+leaning.pixels.foreach_set([value for texel in waves for value in texel])
+leaning.pack()
+below, texels = tree.nodes.new("ShaderNodeNormalMap"), tree.nodes.new("ShaderNodeTexImage")
+texels.image = leaning
+tree.links.new(texels.outputs[0], below.inputs["Color"])
+tree.links.new(below.outputs[0], bump(Distance=0.06).inputs["Normal"])
+"""
 
 
 @pytest.mark.parametrize(
@@ -209,6 +224,8 @@ material.displacement_method = "BUMP"
         "bump(Distance=0.06, Strength=0.4).invert = True",
         "bump(Distance=0.03, Strength=1.0)",
         DISPLACED,
+        UPON_BUMP,
+        UPON_MAP,
     ],
 )
 def test_heights_become_the_normals_that_cycles_shades_with(open_worker, relief):
@@ -270,9 +287,16 @@ bump = tree.nodes.new("ShaderNodeBump")
 tree.links.new(picture.outputs[0], bump.inputs["Height"])
 tree.links.new(bump.outputs[0], shader.inputs["Normal"])
 """
-    upon = SQUARES + bump + "tree.links.new(relief.outputs[0], bump.inputs['Normal'])"
+    before = (
+        SQUARES
+        + bump
+        + """
+tree.links.new(bump.outputs[0], relief.inputs["Strength"])
+tree.links.new(relief.outputs[0], shader.inputs["Normal"])
+"""
+    )
     stretched = SQUARES + bump + "bpy.data.objects['square0'].data.vertices[2].co.x += 9"
-    for scene, why in ((upon, "upon another normal"), (stretched, "uneven scale")):
+    for scene, why in ((before, "a Bump node before other nodes"), (stretched, "uneven scale")):
         worker = open_worker(scene)
         textures = worker.export_textures(8)
         assert textures.normals == {} and why in textures.obstacles["cloth"]

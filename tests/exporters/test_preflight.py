@@ -13,7 +13,7 @@ from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.capture.capture_run import no_gain, without_relief
 from rna_export.capture.geometry.followed_source import captured_poses
 from rna_export.capture.opened_source import OpenedSource
-from rna_export.capture.preflight.material_record import Detail, MaterialFacts
+from rna_export.capture.preflight.material_record import Detail, MaterialFacts, Visible
 from rna_export.capture.preflight.sharpest import sharpest_of
 from rna_export.capture.preflight.verdicts import length, preflight_lines, verdicts
 from rna_render import MeshObject, read_mesh_object
@@ -87,6 +87,24 @@ def test_a_pane_that_mirrors_is_no_metal(open_worker):
     opened = OpenedSource.of(open_worker(RECIPES / "things.py", "blister"), {}, "x", None)
     (pane,) = (each for each in opened.materials if each.name == "clear plastic")
     assert pane.is_ == "glossy, holes or thin panes"
+    assert pane.learnt == "roughly" and "mirrors the asset itself on 6" in pane.reasons[0]
+
+
+@pytest.mark.parametrize(
+    ("members", "learnt"),
+    [
+        ({"kinds": ["metal"], "roughness": 0.2}, "roughly"),
+        ({"kinds": ["metal"], "roughness": 0.28}, "well"),
+        ({"kinds": ["metal", "brushed"], "roughness": 0.28}, "roughly"),
+        ({"kinds": ["glossy", "see-through"], "roughness": 0.4}, "roughly"),
+        ({"kinds": ["coat"], "roughness": 0.05}, "well"),
+    ],
+)
+def test_narrow_highlights_that_show_the_asset_itself_are_learnt_roughly(members, learnt):
+    materials = [facts(**members)]
+    for mirroring, expected in ((0.0, "well"), (0.15, learnt)):
+        (verdict,) = verdicts(materials, [], TEXEL, [], [], visible={"m": Visible(0.4, mirroring)})
+        assert (verdict.learnt, verdict.share) == (expected, 0.4)
 
 
 def written(glb: bytes | None, folder: Path) -> MeshObject:
@@ -270,7 +288,7 @@ def test_maps_that_are_switched_off_are_named_as_the_obstacle(open_worker):
 @pytest.mark.parametrize(("share", "promised"), [(0.02, True), (0.3, False)])
 def test_a_small_part_of_what_is_seen_withholds_no_gain(share, promised):
     glass = facts(kinds=["glass"])
-    (verdict,) = materials = verdicts([glass], [], TEXEL, [], [], None, {"m": share})
+    (verdict,) = materials = verdicts([glass], [], TEXEL, [], [], None, {"m": Visible(share)})
     said = no_gain(SimpleNamespace(materials=materials))  # type: ignore[arg-type]
     assert (said is None) == promised
     assert promised or said == (
@@ -283,7 +301,7 @@ def test_a_small_part_of_what_is_seen_withholds_no_gain(share, promised):
 def test_a_gain_of_an_asset_that_loses_relief_says_so(share):
     fine = Detail(of="relief", node="Grain", size=1e-4)
     (verdict,) = materials = verdicts(
-        [facts(details=[fine])], [], TEXEL, [], [], None, {"m": share}
+        [facts(details=[fine])], [], TEXEL, [], [], None, {"m": Visible(share)}
     )
     opened: Any = SimpleNamespace(materials=materials)
     assert no_gain(opened) is None and verdict.learnt == "not"

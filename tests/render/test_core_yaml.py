@@ -84,7 +84,15 @@ def test_a_number_is_one_in_every_key(number, value, tmp_path):
     assert scene.lights[0].radiance == (value,) * 3 and scene.lights[0].size == (value,) * 2
 
 
-@pytest.mark.parametrize("value", ["bright", "1:30", "true", "[]", "{a: 1}"])
+@pytest.mark.parametrize("key", ["samples: true", "exposure: false", "resolution: [4, true]"])
+def test_true_is_no_number(key, tmp_path):
+    path = tmp_path / "scene.yaml"
+    path.write_text(f"{CAMERA}{key}\n")
+    with pytest.raises(SceneError, match=r"yaml:3: .*: must be a number, not true or false$"):
+        read_scene(path)
+
+
+@pytest.mark.parametrize("value", ["bright", "1:30", "[]", "{a: 1}"])
 def test_what_is_no_number_is_refused_in_one_line(value, tmp_path):
     path = tmp_path / "scene.yaml"
     path.write_text(f"{CAMERA}lights: [{{type: environment, radiance: {value}}}]\n")

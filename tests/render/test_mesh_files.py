@@ -343,6 +343,14 @@ def test_relative_indices_of_obj_count_from_their_face(tmp_path):
     assert back.positions[back.triangles].max() == 6 and len(back.triangles) == 2
 
 
+def test_obj_with_a_byte_order_mark_and_tabs(tmp_path):
+    text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+    (tmp_path / "marked.obj").write_text("\ufeff" + text.replace(" ", "\t"))
+    (tmp_path / "plain.obj").write_text(text)
+    marked, plain = (read(tmp_path / name) for name in ("marked.obj", "plain.obj"))
+    np.testing.assert_array_equal(marked.positions, plain.positions)
+
+
 def test_materials_of_obj(tmp_path):
     mesh = read(write_obj(tmp_path))
     assert len(mesh.triangles) == 2
@@ -410,6 +418,8 @@ def errors(folder: Path) -> dict[str, tuple[Path, str, dict | None]]:
     case(
         "mixed.obj", f"{three}f 1 2 3\nf 1/1/1 2/1/1 3/1/9\n", r"mixed\.obj:7: a face names normal"
     )
+    case("forms.obj", f"{three}f 1/1 2 3\n", r"forms\.obj:6: a face has the corners '1/1' and '3'")
+    case("line.obj", f"{three}f 1 2\n", "no triangles")
     case("half.obj", f"{three}f 1 2 2.5\n", r"the corner '2\.5'; expected integers")
     case("noise.ply", b"\x00\x01\x02", "cannot be read as .ply")
     header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nend_header\n0\n0\n"

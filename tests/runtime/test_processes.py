@@ -86,6 +86,12 @@ query = np.ones((1, graph.columns), np.float32)
 def call():
     return graph.run(query)
 """
+LOADS = """
+from rna_sdk.runtime import load
+
+def call():
+    return load({path!r}).mesh.positions
+"""
 COMPILER = """
 import itertools
 from rna_sdk.machine.compiled import compiled
@@ -107,14 +113,41 @@ def test_all_ways_to_start_processes_give_the_parents_bits(tmp_path):
 @forks
 @pytest.mark.parametrize(
     ("before", "count"),
-    [(KERNELS.format(path=str(TOY)), 40), (SESSION, 150), (COMPILER, 5)],
-    ids=["kernels", "onnxruntime", "compiler"],
+    [
+        (KERNELS.format(path=str(TOY)), 40),
+        (LOADS.format(path=str(TOY)), 40),
+        (SESSION, 150),
+        (COMPILER, 5),
+    ],
+    ids=["kernels", "loads", "onnxruntime", "compiler"],
 )
 def test_a_fork_at_any_moment_does_not_hang(before, count):
     program = FORKS.format(before=before, count=count)
     command = [sys.executable, "-W", "ignore", "-c", program, str(REPOSITORY)]
     done = subprocess.run(command, timeout=600, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
+
+
+OUTLIVES = """
+import threading, time
+{kernels}
+expected = call()
+main = threading.main_thread()
+
+def late():
+    main.join()
+    time.sleep(0.2)
+    print(np.array_equal(call(), expected))
+
+threading.Thread(target=late).start()
+"""
+
+
+def test_a_thread_evaluates_after_the_main_thread_has_ended():
+    """Executors refuse work by then: a RuntimeError reached the caller."""
+    program = "import numpy as np\n" + OUTLIVES.format(kernels=KERNELS.format(path=str(TOY)))
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert (done.stdout, done.stderr) == ("True\n", "")
 
 
 @compiled(rows="numbers results")

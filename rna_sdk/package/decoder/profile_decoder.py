@@ -41,10 +41,11 @@ class ProfileLayer:
         """(n, outputs) for (n, inputs), in the dtype of x; sums of integers are exact."""
         y: Rows
         if self.unit is None:
-            y = x @ self.weight + self.bias
+            y = _product(x, self.weight) + self.bias
         else:
             q = np.clip(np.rint(x / x.dtype.type(self.step)), 0, 255).astype(np.float64)
-            y = (q @ self.weight.astype(np.float64) + self.bias).astype(x.dtype) * self.unit
+            sums = _product(q, self.weight.astype(np.float64)) + self.bias
+            y = sums.astype(x.dtype) * self.unit
         return np.maximum(y, 0) if self.relu else y
 
 
@@ -120,4 +121,12 @@ class ProfileDecoder:
         for layer in self.layers:
             x = layer.run(x)
         x = np.exp(np.clip(x, 0, self.top)) - 1
-        return x * queries.dtype.type(self.unit) if self.matrix is None else x @ self.matrix
+        if self.matrix is None:
+            return x * queries.dtype.type(self.unit)
+        return _product(x, self.matrix)
+
+
+def _product(x: Rows, weight: NDArray[Any]) -> Rows:
+    """x weight without BLAS, whose threads' locks a process forked beside them never gets."""
+    result: Rows = np.einsum("nk,ko->no", x, weight)
+    return result

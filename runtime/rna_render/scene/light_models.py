@@ -9,9 +9,19 @@ import numpy as np
 from pydantic import Field, field_validator, model_validator
 
 from rna_render.scene.limits import MIN_LENGTH
-from rna_render.scene.model_base import FilePath, Length, Model, Number, Rgb, Size, Vector, is_short
+from rna_render.scene.model_base import (
+    FilePath,
+    Length,
+    Model,
+    Number,
+    Real,
+    Rgb,
+    Size,
+    Vector,
+    is_short,
+)
 
-Angle = Annotated[float, Field(ge=0, le=180)]
+Angle = Annotated[Real, Field(ge=0, le=180)]
 
 
 def _check_aim(position: Vector, look_at: Vector) -> None:
@@ -73,8 +83,8 @@ class SpotModel(_LightModel):
     position: Vector = Field(description="Position, metres.")
     look_at: Vector = Field(description="Point on the cone axis.")
     intensity: Rgb = Field(description="Radiant intensity within the inner cone, W/sr.")
-    outer_angle_deg: float = Field(default=45.0, gt=0, le=90, description="Half angle of the cone.")
-    inner_angle_deg: float = Field(
+    outer_angle_deg: Real = Field(default=45.0, gt=0, le=90, description="Half angle of the cone.")
+    inner_angle_deg: Real = Field(
         default=30.0,
         ge=0,
         le=90,

@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rna_render.scene.model_base import Albedo, FilePath, Model, Rgb, Share
+from rna_render.scene.model_base import Albedo, FilePath, Model, Real, Rgb, Share
 
 
 class _ColouredModel(Model):
@@ -36,7 +36,7 @@ class CoatedModel(_ColouredModel):
 
     type: Literal["coated"] = Field(description="`coated`")
     roughness: Share = Field(default=0.3, description="As in glTF: the square root of GGX's alpha.")
-    ior: float = Field(default=1.5, ge=1, le=4, description="Index of refraction of the coat.")
+    ior: Real = Field(default=1.5, ge=1, le=4, description="Index of refraction of the coat.")
 
 
 class ShadowCatcherModel(Model):

@@ -35,7 +35,7 @@ def _repeated(count: int) -> BeforeValidator:
 
 def _is_number(value: object) -> bool:
     """Whether a key of one number would take it: quoted numbers are numbers there, too."""
-    if isinstance(value, bool) or not isinstance(value, int | float | str):
+    if not isinstance(value, int | float | str):
         return False
     try:
         return math.isfinite(float(value))
@@ -43,14 +43,23 @@ def _is_number(value: object) -> bool:
         return False
 
 
-Number = Annotated[float, Field(ge=-MAX_NUMBER, le=MAX_NUMBER)]
+def _no_truth(value: object) -> object:
+    """pydantic takes true for 1."""
+    if isinstance(value, bool):
+        raise ValueError("must be a number, not true or false")
+    return value
+
+
+Real = Annotated[float, BeforeValidator(_no_truth)]
+Whole = Annotated[int, BeforeValidator(_no_truth)]
+Number = Annotated[Real, Field(ge=-MAX_NUMBER, le=MAX_NUMBER)]
 Vector = tuple[Number, Number, Number]
 Quaternion = tuple[Number, Number, Number, Number]
-Nonnegative = Annotated[float, Field(ge=0, le=MAX_NUMBER)]
-Positive = Annotated[float, Field(gt=0, le=MAX_NUMBER)]
-Length = Annotated[float, Field(ge=MIN_LENGTH, le=MAX_NUMBER)]
-Scale = Annotated[float, Field(ge=-MAX_SIZE, le=MAX_SIZE)]
-Share = Annotated[float, Field(ge=0, le=1)]
+Nonnegative = Annotated[Real, Field(ge=0, le=MAX_NUMBER)]
+Positive = Annotated[Real, Field(gt=0, le=MAX_NUMBER)]
+Length = Annotated[Real, Field(ge=MIN_LENGTH, le=MAX_NUMBER)]
+Scale = Annotated[Real, Field(ge=-MAX_SIZE, le=MAX_SIZE)]
+Share = Annotated[Real, Field(ge=0, le=1)]
 Rgb = Annotated[tuple[Nonnegative, Nonnegative, Nonnegative], _repeated(3)]
 Albedo = Annotated[tuple[Share, Share, Share], _repeated(3)]
 Size = Annotated[tuple[Length, Length], _repeated(2)]

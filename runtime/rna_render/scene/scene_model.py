@@ -21,13 +21,15 @@ from rna_render.scene.model_base import (
     Nonnegative,
     Number,
     Positive,
+    Real,
     Share,
     TransformModel,
     Vector,
+    Whole,
     is_short,
 )
 
-PixelCount = Annotated[int, Field(ge=1, le=MAX_PIXELS_A_SIDE)]
+PixelCount = Annotated[Whole, Field(ge=1, le=MAX_PIXELS_A_SIDE)]
 
 
 class MotionModel(Model):
@@ -41,7 +43,7 @@ class MotionModel(Model):
         default=None, description="Animation of a glTF by its name; its first if omitted."
     )
     rate: Positive = Field(default=24.0, description="Frames per second, of a glTF.")
-    start: Annotated[float, Field(ge=0, le=MAX_FRAMES)] = Field(
+    start: Annotated[Real, Field(ge=0, le=MAX_FRAMES)] = Field(
         default=0.0,
         description="Frame of the motion in frame 0 of the scene, and in a still image.",
     )
@@ -98,7 +100,7 @@ class CameraModel(Model):
     position: Vector = Field(description="Position of the pinhole, or of the lens's middle.")
     look_at: Vector = Field(description="Point at the image centre.")
     up: Vector = Field(default=(0.0, 1.0, 0.0), description="Up vector of the image.")
-    vertical_fov_deg: float = Field(
+    vertical_fov_deg: Real = Field(
         default=40.0, gt=0, lt=180, description="Vertical field of view, degrees."
     )
     aperture: Nonnegative = Field(
@@ -190,7 +192,7 @@ class QualityModel(Model):
 class AnimationModel(Model):
     """An image sequence of the same scene."""
 
-    frames: int = Field(ge=1, le=MAX_FRAMES, description="Number of frames, numbered from 0.")
+    frames: Whole = Field(ge=1, le=MAX_FRAMES, description="Number of frames, numbered from 0.")
     turntable: TurnModel | None = Field(
         default=None, description="Orbits the camera about its look_at point."
     )
@@ -202,7 +204,7 @@ class AnimationModel(Model):
         description="Motion blur: how long the shutter is open from each frame on, as a share of "
         "the time to the next; 0 for none.",
     )
-    subframes: int = Field(
+    subframes: Whole = Field(
         default=8,
         ge=1,
         le=256,
@@ -226,11 +228,11 @@ class Scene(Model):
     resolution: tuple[PixelCount, PixelCount] = Field(
         default=(640, 480), description="Width and height of the image, pixels."
     )
-    samples: int = Field(default=64, ge=1, le=MAX_SAMPLES, description="Samples per pixel.")
+    samples: Whole = Field(default=64, ge=1, le=MAX_SAMPLES, description="Samples per pixel.")
     quality: QualityModel | None = Field(
         default=None, description="Error or time target; see below."
     )
-    max_depth: int = Field(
+    max_depth: Whole = Field(
         default=8,
         ge=1,
         le=MAX_DEPTH,
@@ -245,14 +247,14 @@ class Scene(Model):
         "the clamp and its bias. `rna-run` says how much light it took, above 0.1%; not with "
         "`--device gpu`.",
     )
-    seed: int = Field(
+    seed: Whole = Field(
         default=0, ge=0, le=MAX_SEED, description="Random seed; the same seed gives the same image."
     )
     view: Literal["srgb", "filmic"] = Field(
         default="srgb",
         description="View transform of the PNG: clamped, or filmic with shoulder and toe.",
     )
-    exposure: float = Field(
+    exposure: Real = Field(
         default=0.0,
         ge=-64,
         le=64,

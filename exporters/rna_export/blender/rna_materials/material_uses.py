@@ -45,6 +45,11 @@ class Wanted:
     attributes: set[str] = field(default_factory=set)
 
 
+def named(names: set[str]) -> list[bpy.types.Material]:
+    """The materials of these full names, which tell libraries apart as plain names do not."""
+    return [material for material in bpy.data.materials if material.name_full in names]
+
+
 def shown_materials() -> tuple[set[str], set[str]]:
     """Full names of the materials of rendered surfaces, and of rendered hair."""
     materials: dict[bool, set[str]] = {False: set(), True: set()}

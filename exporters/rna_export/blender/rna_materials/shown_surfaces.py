@@ -8,6 +8,7 @@ import bpy
 from rna_geometry.shown_objects import as_rendered
 from rna_materials import normal_maps
 from rna_materials.material_uses import Use, Wanted, shown_materials, uses_of
+from rna_materials.node_sources import origin
 from rna_materials.relief import Bump, ReliefOfUv, bump_of
 from rna_materials.transparency import transmittance_of
 from rna_materials.uv_render import ColourOfUv
@@ -75,18 +76,29 @@ def shown_surfaces(copies: Copies, folder: Path, with_normals: bool) -> Iterable
                 assert shown is not None  # as before
                 surface.shown = ColourOfUv(copy, shown.colour, folder)
         if with_normals and name in on_surfaces:
-            copy = copies.of(material)
-            surface.normal, surface.no_normal = _normal_of(copy, folder)
+            surface.normal, surface.no_normal = _normal_of(material, copies, folder)
         if surface.colours() or surface.no_normal:
             yield surface
 
 
-def _normal_of(copy: bpy.types.Material, folder: Path) -> tuple[ColourOfUv | None, str | None]:
-    """The normal of a material's relief, or why it has no map; neither without relief."""
+def _normal_of(
+    material: bpy.types.Material, copies: Copies, folder: Path, below: int = 0
+) -> tuple[ColourOfUv | None, str | None]:
+    """The normal of a material's relief, or why it has no map; neither without relief.
+
+    below: how many of its Bump nodes, from the shader on, to leave out.
+    """
+    copy = copies.of(material)
     source = normal_maps.normal_source(copy)
+    for _ in range(below):
+        assert source is not None  # each has bent another normal
+        source = origin(source[0].inputs["Normal"], source[2])
     bump = bump_of(copy, source)
     if isinstance(bump, Bump):
-        return ReliefOfUv(copy, bump, folder), None
+        upon, problem = (
+            _normal_of(material, copies, folder, below + 1) if bump.upon else (None, None)
+        )
+        return (None, problem) if problem else (ReliefOfUv(copy, bump, folder, upon), None)
     if bump is not None or source is None:
         return None, bump
     if problem := normal_maps.problem_of(source):

@@ -3,15 +3,14 @@
 from collections.abc import Iterator
 
 import bpy
-from rna_materials.material_uses import shown_materials
+from rna_materials.material_uses import named, shown_materials
 from rna_materials.uv_render import surface_sources
 
 
 def changing() -> list[str]:
     """The shown materials that change with the frame, each with its cause; within `as_rendered`."""
-    names = sorted(name for each in shown_materials() for name in each)
-    materials = (bpy.data.materials.get(name) for name in names)
-    found = ((m, next(_changes(m), None)) for m in materials if m is not None)
+    shown = named(set().union(*shown_materials()))
+    found = ((m, next(_changes(m), None)) for m in shown)
     return [f"material {m.name!r} {what}" for m, what in found if what is not None]
 
 

@@ -5,7 +5,7 @@ from typing import Any
 
 import bpy
 from rna_materials import emission
-from rna_materials.material_uses import shown_materials
+from rna_materials.material_uses import named, shown_materials
 from rna_materials.node_sources import origin
 from rna_materials.uv_render import surface_output, surface_sources
 from rna_preflight.shader_values import (
@@ -38,18 +38,17 @@ def facts() -> list[dict[str, Any]]:
     """
     on_surfaces, on_hair = shown_materials()
     sizes = extents()
-    names = sorted(on_surfaces | on_hair)
     return [
         _facts(material, sizes.get(name, Extent()), name in on_hair)
-        for name in names
-        if (material := bpy.data.materials.get(name)) is not None and not is_left(name)
+        for material in named(on_surfaces | on_hair)
+        if not is_left(name := material.name_full)
     ]
 
 
 def volumes_alone() -> list[str]:
     """Names of shown materials that are a volume without a surface; within `as_rendered`."""
-    every = (m for names in shown_materials() for m in map(bpy.data.materials.get, sorted(names)))
-    return [m.name for m in every if m is not None and not surface_output(m) and volume_shaders(m)]
+    every = named(set().union(*shown_materials()))
+    return [m.name for m in every if not surface_output(m) and volume_shaders(m)]
 
 
 def _facts(material: bpy.types.Material, extent: Extent, on_hair: bool) -> dict[str, Any]:

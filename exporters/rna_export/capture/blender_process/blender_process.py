@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Self
 
+from rna_export.capture.blender_process.exchanged_files import no_space_left
 from rna_export.capture.capture_settings import CLAMP_DIRECT, CLAMP_INDIRECT, CaptureSettings
 from rna_sdk.commands.gltf_remedies import with_remedy
 from rna_sdk.errors import CaptureError
@@ -177,8 +178,10 @@ class BlenderProcess:
                         raise CaptureError(f"{self.source.path}: {said}")
                     return answer
                 self._log.write(line)
-        except BrokenPipeError:
+        except OSError:  # of a pipe whose other end is gone, or of the log on a full disk
             pass
+        if (why := no_space_left(self._folder)) is not None:
+            raise CaptureError(f"{self._folder}: {why}")
         raise CaptureError(
             f"{self.source.path}: the Blender worker ended without an answer to "
             f"{request['op']!r}{_signal_of(process)}; its last output: {self._last_words()}"

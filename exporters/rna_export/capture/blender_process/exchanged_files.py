@@ -24,9 +24,14 @@ def exchanged(path: Path) -> Iterator[None]:
     try:
         yield
     except (OSError, RuntimeError, ValueError, KeyError, EOFError, BadZipFile) as error:
-        is_full = shutil.disk_usage(path.parent).free < _LITTLE
-        why = os.strerror(errno.ENOSPC) if is_full else " ".join(str(error).split())
+        why = no_space_left(path.parent) or " ".join(str(error).split())
         raise CaptureError(f"{path}: a file exchanged with Blender is not whole: {why}") from error
+
+
+def no_space_left(folder: Path) -> str | None:
+    """The system's words for a full disk; None where it is not full."""
+    is_full = shutil.disk_usage(folder).free < _LITTLE
+    return os.strerror(errno.ENOSPC) if is_full else None
 
 
 def write_rays(path: Path, vectors: np.ndarray, width: int, height: int) -> None:

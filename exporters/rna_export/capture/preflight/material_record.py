@@ -1,6 +1,6 @@
 """Blender's facts about a source's materials: `blender/rna_preflight/material_facts.py`."""
 
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from pydantic import Field
 
@@ -50,6 +50,13 @@ class MaterialFacts(DatasetModel):
     kinds: tuple[Kind, ...] = Field(min_length=1)
     roughness: float | None
     details: tuple[Detail, ...]
+
+
+class Visible(NamedTuple):
+    """share: of the visible area. mirroring: share of it whose mirror direction meets the asset."""
+
+    share: float
+    mirroring: float = 0.0
 
 
 class Glass(DatasetModel):

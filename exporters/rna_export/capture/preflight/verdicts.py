@@ -5,7 +5,7 @@ from typing import Literal, NamedTuple
 
 from rna_export.blender.listing import listed
 from rna_export.capture.capture_settings import LEAST_ROUGHNESS, DatasetModel
-from rna_export.capture.preflight.material_record import Detail, Glass, MaterialFacts
+from rna_export.capture.preflight.material_record import Detail, Glass, MaterialFacts, Visible
 
 Learnt = Literal["well", "roughly", "not", "left to the host"]
 _WORSE: dict[Learnt, int] = {"well": 0, "left to the host": 0, "roughly": 1, "not": 2}
@@ -20,6 +20,7 @@ _TEXELS = 2.0  # of a plane, from one detail to the next, at the least
 _LOST = 0.5  # of that: relief of a plane's texel
 _MIRROR = 0.05  # roughness that an artist calls a mirror's
 _SOFTENED = 0.02  # roughness below which the floor of captures shows
+_MIRRORING, _NARROW = 0.1, 0.25  # share that mirrors the asset, and roughness, where that shows
 _OPTION = "--normal-texels"  # an obstacle that is the user's to raise
 _SCATTERING = frozenset({"scattering", "thin", "refracting", "glass", "volume", "hair"})
 _WORDS = {
@@ -83,21 +84,22 @@ def verdicts(
     mapped: Iterable[str],
     coloured: Iterable[str],
     obstacles: Mapping[str, Mapping[str, str]] | None = None,
-    shares: Mapping[str, float] | None = None,
+    visible: Mapping[str, Visible] | None = None,
 ) -> tuple[MaterialVerdict, ...]:
     """One a material, the worst first.
 
     texel: side of a texel of the planes, m. mapped, coloured: full names of materials whose relief,
     and whose colour, are textures of the package. obstacles: of "relief" and "colour", by material,
-    what keeps it from being one. shares: of the visible surface, by material; None for 1 each.
+    what keeps it from being one. visible: by material; None for a share of 1 each.
     """
     textures = {"relief": set(mapped), "colour": set(coloured)}
     result, obstacles = [], obstacles or {}
     for each in materials:
         why = {sort: of[each.full_name] for sort, of in obstacles.items() if each.full_name in of}
         stored = [s for s, names in textures.items() if each.full_name in names and s not in why]
-        share = 1.0 if shares is None else shares.get(each.full_name, 0.0)
-        result.append(_verdict(each, texel, stored, why).model_copy(update={"share": share}))
+        seen = Visible(1.0) if visible is None else visible.get(each.full_name, Visible(0.0))
+        verdict = _verdict(each, texel, stored, why, seen.mirroring)
+        result.append(verdict.model_copy(update={"share": seen.share}))
     result += [
         MaterialVerdict(
             name=each.name,
@@ -145,14 +147,21 @@ def length(metres: float) -> str:
 
 
 def _verdict(
-    facts: MaterialFacts, texel: float, stored: Collection[str], obstacles: Mapping[str, str]
+    facts: MaterialFacts,
+    texel: float,
+    stored: Collection[str],
+    obstacles: Mapping[str, str],
+    mirroring: float,
 ) -> MaterialVerdict:
     """stored: sorts of details that are textures of the package. obstacles: of others, by sort."""
     learnt_details = (detail for detail in facts.details if detail.of not in stored)
     of_details = [
         _of_detail(detail, _TEXELS * texel, obstacles.get(detail.of)) for detail in learnt_details
     ]
-    reasons = [*_of_kinds(facts), *(reason for reason in of_details if reason is not None)]
+    reasons = [
+        *_of_kinds(facts, mirroring),
+        *(reason for reason in of_details if reason is not None),
+    ]
     learnt = max((r.learnt for r in reasons), key=_WORSE.__getitem__, default="well")
     reasons.sort(key=lambda reason: -_WORSE[reason.learnt])
     texts = tuple(reason.text for reason in reasons)
@@ -176,8 +185,15 @@ def _in_words(facts: MaterialFacts) -> str:
     return ", ".join(words)
 
 
-def _of_kinds(facts: MaterialFacts) -> Iterator[_Reason]:
+def _of_kinds(facts: MaterialFacts, mirroring: float) -> Iterator[_Reason]:
     kinds = facts.kinds
+    if mirroring >= _MIRRORING and _mirrors(facts):
+        yield _Reason(
+            "roughly",
+            f"it mirrors the asset itself on {mirroring:.0%} of its surface, and such reflections "
+            "come out blurred: make it rougher, or clear panes smooth glass, which is left to the "
+            "host",
+        )
     if "glass" in kinds:
         yield _Reason(
             "not",
@@ -208,6 +224,13 @@ def _of_kinds(facts: MaterialFacts) -> Iterator[_Reason]:
             "reflections come out softer than in the original: smoother lobes are captured with a "
             f"roughness of {LEAST_ROUGHNESS:g}",
         )
+
+
+def _mirrors(facts: MaterialFacts) -> bool:
+    """Whether a narrow highlight, or one that a clear pane has alone, is most of its light."""
+    kinds, rough = set(facts.kinds), facts.roughness
+    is_narrow = "brushed" in kinds or (rough is not None and rough < _NARROW)
+    return bool(kinds & {"metal", "glossy"}) and (is_narrow or {"glossy", "see-through"} <= kinds)
 
 
 def _of_detail(detail: Detail, least: float, obstacle: str | None) -> _Reason | None:

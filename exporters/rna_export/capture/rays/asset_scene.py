@@ -120,9 +120,11 @@ class AssetScene:
         """Part hit first by each ray, (n,) int32; -1 for misses."""
         return self.first_hits(origins, directions).geometry
 
-    def first_hits(self, origins: np.ndarray, directions: np.ndarray) -> ClosestHits:
-        """Closest hits of rays (n, 3), without holes."""
-        return self._solid_hits(origins, directions)[0]
+    def first_hits(
+        self, origins: np.ndarray, directions: np.ndarray, rng: np.random.Generator | None = None
+    ) -> ClosestHits:
+        """Closest hits of rays (n, 3), without holes; rng: `_solid_hits`."""
+        return self._solid_hits(origins, directions, rng)[0]
 
     def meets(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
         """Whether each ray meets a triangle or strand, holes included: (n,) bool."""

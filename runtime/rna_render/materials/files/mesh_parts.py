@@ -96,7 +96,7 @@ def _joined(
 def fans(faces: np.ndarray) -> np.ndarray:
     """Convex polygons of k corners each, (n, k), cut into triangles: (n * (k - 2), 3)."""
     parts = [faces[:, [0, corner, corner + 1]] for corner in range(1, faces.shape[1] - 1)]
-    return np.concatenate(parts)
+    return np.concatenate([np.zeros((0, 3), faces.dtype), *parts])
 
 
 def flat_normals(positions: np.ndarray, triangles: np.ndarray) -> np.ndarray:

@@ -31,8 +31,7 @@ LEFT_OUT = {"bump", "norm", "disp", "decal"}
 
 def read_obj(path: Path, with_materials: bool) -> MeshFile:
     """The parts of an OBJ file; arguments and errors as in `read_gltf`."""
-    text = path.read_text(encoding="utf-8", errors="replace")
-    text = with_plain_indices(path, text.replace("\\\n", " "))  # lines that go on
+    text = with_plain_indices(path, _text(path).replace("\\\n", " "))  # lines that go on
     used = set(_names(text, "usemtl"))
     geometry = _geometry(text, used)
     left_out: set[str] = set()
@@ -50,9 +49,14 @@ def read_obj(path: Path, with_materials: bool) -> MeshFile:
     return MeshFile(parts, materials, sorted(left_out))
 
 
+def _text(path: Path) -> str:
+    """Without a byte order mark and tabs, which trimesh does not know."""
+    return path.read_text(encoding="utf-8-sig", errors="replace").replace("\t", " ")
+
+
 def _names(text: str, statement: str) -> list[str]:
     """Arguments of all statements with this keyword."""
-    return re.findall(rf"^[ \t]*{statement}[ \t]+(.*?)[ \t\r]*$", text, re.MULTILINE)
+    return re.findall(rf"^ *{statement} +(.*?)[ \r]*$", text, re.MULTILINE)
 
 
 def _geometry(text: str, used: Iterable[str]) -> list[dict[str, Any]]:
@@ -90,7 +94,7 @@ def _read_libraries(path: Path, text: str, left_out: set[str]) -> dict[str, dict
     for name in _names(text, "mtllib"):
         library = path.parent / name
         if library.is_file():
-            result |= _statements(library.read_text(encoding="utf-8", errors="replace"))
+            result |= _statements(_text(library))
         else:
             left_out.add(f"materials of {name}, which is not there")
     return result

@@ -37,6 +37,7 @@ def with_plain_indices(path: Path, text: str) -> str:
         elif (face := _FACE.match(line)) is not None:
             try:
                 corners = [_plain(corner, counts, so_far) for corner in face[1].split()]
+                _check_forms(corners)
             except ValueError as error:
                 raise SceneError(str(error), file=path, line=number + 1) from error
             lines[number] = f"f {' '.join(corners)}"
@@ -64,6 +65,13 @@ def _integers(text: str) -> np.ndarray:
             return np.fromstring(text, np.int64, sep=" ")
         except (ValueError, DeprecationWarning):
             return np.zeros(0, np.int64)
+
+
+def _check_forms(corners: list[str]) -> None:
+    forms = {tuple(map(bool, corner.rstrip("/").split("/"))): corner for corner in corners}
+    if len(forms) > 1:
+        found = " and ".join(repr(corner) for corner in forms.values())
+        raise ValueError(f"a face has the corners {found}; expected the same parts in each")
 
 
 def _plain(corner: str, counts: dict[str, int], so_far: dict[str, int]) -> str:
