@@ -53,7 +53,6 @@ def _point(record: Record, precision: str, point: Point, costs: Costs | None) ->
         "flip": scores.flip,
         "flip_p95": scores.flip_p95,
         "p99": scores.p99,
-        "views": [view.model_dump() for view in scores.views],
     }
 
 

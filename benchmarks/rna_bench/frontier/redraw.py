@@ -1,7 +1,7 @@
 """Draw frontiers from their committed JSON: one row per asset, shorter trainings as hollow markers.
 
-    rna-bench frontier-chart benchmarks/results/frontier-toy.json \\
-        --out docs/images/frontier-toy.svg
+    rna-bench frontier-chart benchmarks/results/frontier-{toy,fox,curls,helmet}.json \\
+        --out docs/images/frontier.svg
 
 Reports of one asset share a row.
 """
