@@ -26,6 +26,19 @@ _COLUMNS = ("step", "loss", "psnr", "flip", "albedo", "emission_psnr")
 """step: steps done. loss: the mean since the row before. The others: see `Report`."""
 
 
+_ALBEDO_ERROR = 0.01  # of the measured light in a white world
+
+
+def error_of(row: dict[str, float]) -> float:
+    """Error of a row of `Curves`, by which models are chosen; infinity where it has no FLIP.
+
+    FLIP ends at display white. So the light in a white world counts, too, by what it is off beyond
+    its own error: before the unbiased end of a training highlights are too weak.
+    """
+    off = max(abs(1.0 - row.get("albedo", 1.0)) - _ALBEDO_ERROR, 0.0)
+    return row.get("flip", inf) + off
+
+
 class Curves:
     """Rows of `<folder>/metrics.csv`, from before step `done` on."""
 
@@ -34,9 +47,9 @@ class Curves:
         self.rows = [row for row in read_curves(folder) if row["step"] <= done]
 
     @property
-    def best_flip(self) -> float:
-        """Least FLIP of the rows that have one; infinity if there are none."""
-        return min((row["flip"] for row in self.rows if "flip" in row), default=inf)
+    def least_error(self) -> float:
+        """Least `error_of` a row; infinity if there are none."""
+        return min(map(error_of, self.rows), default=inf)
 
     def add(self, row: dict[str, float]) -> None:
         """Write the file with one more row."""

@@ -1,6 +1,5 @@
 """Runs a training: length, checkpoints, curves, resume."""
 
-import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -27,7 +26,7 @@ from rna_export.training.optimization.pace import Pace, StepPace, TimePace, leng
 from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.optimization.step_threads import StepThreads
 from rna_export.training.presets import Preset
-from rna_export.training.report import Curves, Report
+from rna_export.training.report import Curves, Report, error_of
 from rna_export.training.training_options import device_name
 from rna_sdk.errors import TrainingError
 from rna_sdk.machine.memory import check_memory
@@ -193,7 +192,7 @@ def _fit(
             continue
         with threads.all():
             row = report.of(fitting.model, is_last=pace.progress >= 1.0)
-        is_best = row.get("flip", math.inf) <= curves.best_flip
+        is_best = error_of(row) <= curves.least_error
         curves.add({"step": done, "loss": float(torch.stack(losses).mean()), **row})
         losses.clear()
         if "flip" in row:
