@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from rna_sdk.arrays import indices, scalars
 from rna_sdk.errors import QueryError
+from rna_sdk.files.srgb import decode_srgb
 from rna_sdk.package import BaseColor, Mesh
-from rna_sdk.package.textures.srgb import decode_srgb
 from rna_sdk.package.textures.texture_form import Texture
 from rna_sdk.runtime.kernels.base_color_kernel import CLAMP, LEVELS, MIRROR, REPEAT, look_up
 

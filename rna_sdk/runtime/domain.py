@@ -32,6 +32,7 @@ def in_region(region: Region, directions: NDArray[np.float32]) -> NDArray[np.boo
     axes = np.array([cone.axis for cone in region])
     axes /= np.linalg.norm(axes, axis=1, keepdims=True)
     cosines = np.cos([cone.half_angle for cone in region]).astype(np.float32)
+    # Without BLAS, whose threads' locks a process forked beside them never gets.
     dots = np.einsum("nc,kc->nk", directions, axes.astype(np.float32))
     return np.asarray((dots >= cosines - _ROUNDING).any(axis=1))
 

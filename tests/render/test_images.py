@@ -10,9 +10,9 @@ from PIL import Image
 from rna_render.image.film import Film, Layers
 from rna_render.image.images import read_attributes, read_exr, write_exr, write_png
 from rna_render.image.output import Output
-from rna_render.image.view_transform import decode_srgb, encode_srgb
 from rna_render.scene.scene_model import Scene
 from rna_sdk.errors import SceneError
+from rna_sdk.files.srgb import decode_srgb, encode_srgb
 
 
 def test_an_exr_keeps_every_bit_and_every_channel(tmp_path):

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from rna_render.command.rna_run import VIEWS
-from rna_render.image.view_transform import decode_srgb, encode_srgb, to_display
+from rna_render.image.view_transform import to_display
 from rna_render.scene.scene_model import Scene
+from rna_sdk.files.srgb import decode_srgb, encode_srgb
 
 
 def grey(values, view: str) -> np.ndarray:

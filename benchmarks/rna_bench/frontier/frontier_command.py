@@ -30,7 +30,7 @@ def add_options(p: argparse.ArgumentParser) -> None:
         help="about 20 models with short trainings: 40 minutes on 2 cores (default: off)",
     )
     p.add_argument(
-        "--steps", type=int, help="steps per training (int, default: 40,000; with --short 5,000)"
+        "--steps", type=int, help="steps per training (int, default: 20,000; with --short 5,000)"
     )
     p.add_argument(
         "--source",

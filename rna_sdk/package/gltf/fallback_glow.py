@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_sdk.files.srgb import decode_srgb, encode_srgb
 from rna_sdk.package.gltf.fallback_file import FallbackFile
-from rna_sdk.package.textures.srgb import decode_srgb, encode_srgb
 
 STRENGTH = "KHR_materials_emissive_strength"
 

@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from rna_sdk.files.srgb import encode_srgb as encode_srgb  # public, too
+
 # Stephen Hill's fit of the ACES reference rendering transform and its sRGB output transform, in
 # https://github.com/TheRealMJP/BakingLab/blob/master/BakingLab/ACES.hlsl (MIT). Each row sums to
 # one, so grey stays grey.
@@ -38,14 +40,3 @@ def _filmic(linear: np.ndarray) -> np.ndarray:
 def _aces_curve(x: np.ndarray) -> np.ndarray:
     """RRTAndODTFit of the source above."""
     return (x * (x + 0.0245786) - 0.000090537) / (x * (0.983729 * x + 0.4329510) + 0.238081)
-
-
-def encode_srgb(linear: np.ndarray) -> np.ndarray:
-    """Linear light as sRGB values (IEC 61966-2-1), both in [0, 1]. Clamps other values."""
-    linear = np.clip(linear, 0.0, 1.0)
-    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
-
-
-def decode_srgb(encoded: np.ndarray) -> np.ndarray:
-    """sRGB values as linear light; both in [0, 1], any shape."""
-    return np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)

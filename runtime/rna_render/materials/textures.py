@@ -16,10 +16,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rna_render.image.view_transform import decode_srgb
 from rna_render.scene.limits import MAX_IMAGE_PIXELS
 from rna_sdk.errors import SceneError
 from rna_sdk.files.regular_file import check_regular
+from rna_sdk.files.srgb import decode_srgb
 from rna_sdk.machine.compiled import compiled
 from rna_trace.bilinear import REPEAT, texels_around
 from rna_trace.vectors import Vector

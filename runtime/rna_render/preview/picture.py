@@ -8,7 +8,8 @@ from functools import cached_property
 import numpy as np
 
 from rna_render.image.film import Film
-from rna_render.image.view_transform import decode_srgb, encode_srgb, to_display
+from rna_render.image.view_transform import to_display
+from rna_sdk.files.srgb import decode_srgb, encode_srgb
 
 # Seen where the scene has no background: a little lighter than the page.
 BACKDROP_SRGB = 0x2A / 255
